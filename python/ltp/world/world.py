@@ -1,0 +1,142 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""`World`: ground, obstacle surface and land classes of one place, on one metric frame."""
+
+import os
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .checks import corner, finite, heights, land_classes, positive, text
+
+if TYPE_CHECKING:
+    from ltp._core import Raster
+
+#: Rounding may put the surface this far below the ground [m]; more is a mistake in the data.
+SURFACE_TOLERANCE = 1e-6
+
+
+@dataclass(frozen=True)
+class Datum:
+    """Where the local frame sits on the Earth."""
+
+    crs: str | None = None  # e.g. "EPSG:27700"; None for a made-up city
+    easting: float = 0.0  # CRS coordinate of local x = 0 [m]
+    northing: float = 0.0  # CRS coordinate of local y = 0 [m]
+    vertical: str = "local"  # name of the height datum; z is the height above it [m]
+
+    def __post_init__(self) -> None:
+        if self.crs is not None:
+            text("datum.crs", self.crs)
+        text("datum.vertical", self.vertical)
+        object.__setattr__(self, "easting", finite("datum.easting", self.easting))
+        object.__setattr__(self, "northing", finite("datum.northing", self.northing))
+
+
+@dataclass(frozen=True, eq=False)
+class World:
+    """A piece of the Earth's surface as rasters over the ground.
+
+    Frame: ENU, metres, z up. Arrays are indexed [ix, iy]: axis 0 = x east, axis 1 = y north. Cell
+    (i, j) covers [x0 + i*cell, x0 + (i+1)*cell) x [y0 + j*cell, y0 + (j+1)*cell), (x0, y0) being
+    `origin`. A cell is a flat top: everything below its surface is solid. The arrays are checked
+    copies, C-contiguous and read-only. Two worlds are equal only if they are the same object.
+
+    Raises:
+        ValueError: naming the argument of wrong shape, type or values; also if the surface lies
+            more than `SURFACE_TOLERANCE` below the ground anywhere.
+    """
+
+    name: str
+    ground: NDArray[np.float64]  # (nx, ny) bare ground, height above the datum [m]
+    surface: NDArray[np.float64]  # (nx, ny) top of what stands there, trees too, >= ground [m]
+    classes: NDArray[np.uint8]  # (nx, ny) LandClass
+    cell: float  # edge of a cell [m]
+    origin: tuple[float, float] = (0.0, 0.0)  # x, y of the outer corner of cell (0, 0) [m]
+    datum: Datum = Datum()
+    attribution: str = ""  # line that must stand beside every picture
+
+    def __post_init__(self) -> None:
+        text("name", self.name)
+        text("attribution", self.attribution)
+        if not isinstance(self.datum, Datum):
+            raise ValueError(f"datum must be a Datum, not {self.datum!r}")
+        ground = heights("ground", self.ground)
+        surface = heights("surface", self.surface, ground.shape)
+        below = ground - surface
+        if below.max() > SURFACE_TOLERANCE:
+            i, j = np.unravel_index(int(below.argmax()), below.shape)
+            raise ValueError(
+                f"surface must not lie below ground: surface[{i}, {j}] = {surface[i, j]:g} m, "
+                f"ground[{i}, {j}] = {ground[i, j]:g} m"
+            )
+        if below.max() > 0.0:
+            surface = np.maximum(surface, ground)
+        classes = land_classes(self.classes, ground.shape)
+        for array in (ground, surface, classes):
+            array.setflags(write=False)
+        for field, value in (
+            ("ground", ground),
+            ("surface", surface),
+            ("classes", classes),
+            ("cell", positive("cell", self.cell)),
+            ("origin", corner(self.origin)),
+        ):
+            object.__setattr__(self, field, value)
+
+    def __reduce__(self) -> tuple[type["World"], tuple[Any, ...]]:
+        # Through the constructor: an array that was only unpickled would be writable.
+        return World, tuple(getattr(self, field.name) for field in fields(self))
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Cells along x and y."""
+        return self.ground.shape[0], self.ground.shape[1]
+
+    @property
+    def extent(self) -> tuple[float, float, float, float]:
+        """(x_min, y_min, x_max, y_max) of the covered area [m]."""
+        x, y = self.origin
+        return x, y, x + self.shape[0] * self.cell, y + self.shape[1] * self.cell
+
+    @property
+    def height_above_ground(self) -> NDArray[np.float64]:
+        """(nx, ny) height of the surface above the bare ground [m]; a new array."""
+        return np.asarray(self.surface - self.ground)
+
+    def surface_raster(self) -> "Raster":
+        """The obstacle surface as a `Raster`: height above the datum [m], one value per cell."""
+        return self._raster(self.surface)
+
+    def ground_raster(self) -> "Raster":
+        """The bare ground as a `Raster`: height above the datum [m], one value per cell."""
+        return self._raster(self.ground)
+
+    def _raster(self, values: NDArray[np.float64]) -> "Raster":
+        from ltp._core import Raster
+
+        return Raster(values, origin=self.origin, cell=self.cell)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the world to one compressed .npz, all or nothing; same world, same bytes.
+
+        Raises:
+            OSError: if the file cannot be written; whatever stood under `path` is then untouched.
+        """
+        from .archive import write_world
+
+        write_world(self, path)
+
+    @staticmethod
+    def load(path: str | os.PathLike[str]) -> "World":
+        """Read a world that `save` wrote. Nothing in the file is executed, unpickled or trusted.
+
+        Raises:
+            OSError: if the file cannot be opened or read.
+            ValueError: naming the file and the culprit, if it is not a sound world file.
+        """
+        from .archive import read_world
+
+        return read_world(path)
