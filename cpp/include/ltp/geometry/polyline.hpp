@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What one asks of a polyline: its length, a point along it, the point of it that is closest.
+#pragma once
+
+#include "ltp/geometry/types.hpp"
+
+namespace ltp {
+
+/// Length of a polyline [m]; 0 for fewer than two points.
+double length(const PathRef& path);
+
+/// The point at `arc_length` [m] from the first one; clamped to the ends. Throws on an empty path.
+Point point_at(const PathRef& path, double arc_length);
+
+/// Points every `spacing` [m] along the path; the first and the last point are always kept, shape
+/// (N, 3).
+Path resample(const PathRef& path, double spacing);
+
+/// The point of a polyline that is closest to a given point.
+struct ClosestPoint {
+  Point point = Point::Zero();
+  double arc_length = 0.0;  ///< from the first point of the path [m]
+  double distance = 0.0;    ///< to the point asked about [m]
+};
+
+/// Considers only the part of the path at or beyond `from_arc_length` [m]. Throws on an empty path.
+ClosestPoint closest_point(const PathRef& path, const Point& point, double from_arc_length = 0.0);
+
+}  // namespace ltp

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the binding files share: one function a floor, and the arguments that come from Python.
+#pragma once
+
+#include <pybind11/eigen.h>
+#include <pybind11/functional.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <string>
+
+#include "ltp/geometry/check.hpp"
+#include "ltp/geometry/types.hpp"
+
+namespace py = pybind11;
+using namespace pybind11::literals;  // NOLINT: "name"_a
+
+void bind_geometry(py::module_& m);
+void bind_grid(py::module_& m);
+void bind_cost(py::module_& m);
+void bind_sensing(py::module_& m);
+void bind_mapping(py::module_& m);
+void bind_planning(py::module_& m);
+void bind_navigation(py::module_& m);
+
+/// Throws `ValueError` unless every coordinate of a point set is finite.
+inline void require_finite(const char* name, const ltp::PathRef& points) {
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    if (!points.row(i).allFinite()) {
+      ltp::check::fail(std::string(name) + "[" + std::to_string(i) + "]", points.row(i),
+                       "three finite numbers");
+    }
+  }
+}
+
+/// Keyword arguments of a struct's constructor: each is set as an attribute, so a name that does
+/// not exist fails.
+template <typename Options>
+Options from_keywords(const py::kwargs& keywords) {
+  Options options;
+  py::object view = py::cast(&options, py::return_value_policy::reference);
+  for (const auto& [name, value] : keywords) {
+    const auto key = name.cast<std::string>();
+    if (!py::hasattr(view, key.c_str())) {
+      throw py::type_error(py::str(view.get_type().attr("__name__")).cast<std::string>() +
+                           " has no field '" + key + "'");
+    }
+    py::setattr(view, name, value);
+  }
+  return options;
+}
+
+/// A repr that lists the fields of an options or result struct.
+template <typename Class>
+void list_fields(Class& cls, std::initializer_list<const char*> names) {
+  py::tuple fields(names.size());
+  std::size_t i = 0;
+  for (const char* name : names) fields[i++] = py::str(name);
+  cls.attr("__fields__") = fields;  // what `ltp.config` reads and writes
+  cls.def("__repr__", [fields](const py::object& self) {
+    std::string text = py::str(self.get_type().attr("__name__")).cast<std::string>() + "(";
+    bool first = true;
+    for (const auto& name : fields) {
+      if (!first) text += ", ";
+      first = false;
+      text += name.cast<std::string>() + "=" +
+              py::repr(self.attr(name.cast<std::string>().c_str())).cast<std::string>();
+    }
+    return text + ")";
+  });
+}

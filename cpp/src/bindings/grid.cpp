@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Floor 1 in Python: frames, rasters, occupancy grids.
+#include <pybind11/numpy.h>
+
+#include "bindings.hpp"
+#include "ltp/grid/frame.hpp"
+#include "ltp/grid/occupancy_grid.hpp"
+#include "ltp/grid/raster.hpp"
+
+namespace {
+
+using BoolArray = py::array_t<bool, py::array::c_style>;
+
+std::string shape_of(const py::array& array) {
+  return py::str(array.attr("shape")).cast<std::string>();
+}
+
+ltp::OccupancyGrid from_array(const py::array& blocked, const ltp::GridFrame& frame) {
+  if (!py::isinstance<py::array_t<bool>>(blocked)) {
+    throw py::type_error("blocked.dtype = " + py::str(blocked.dtype()).cast<std::string>() +
+                         ": expected bool");
+  }
+  if (blocked.ndim() != 3 || blocked.shape(0) != frame.nx() || blocked.shape(1) != frame.ny() ||
+      blocked.shape(2) != frame.nz()) {
+    ltp::check::fail("blocked.shape", shape_of(blocked), "the frame's dims, (nx, ny, nz)");
+  }
+  const BoolArray dense = BoolArray::ensure(blocked);
+  const bool* values = dense.data();
+  ltp::OccupancyGrid grid(frame);
+  for (int ix = 0; ix < frame.nx(); ++ix) {
+    for (int iy = 0; iy < frame.ny(); ++iy) {
+      std::uint64_t* column = grid.column(ix, iy);
+      for (int iz = 0; iz < frame.nz(); ++iz) {
+        column[iz >> 6] |= std::uint64_t{*values++} << (iz & 63);
+      }
+    }
+  }
+  return grid;
+}
+
+BoolArray to_array(const ltp::OccupancyGrid& grid) {
+  const ltp::GridFrame& frame = grid.frame();
+  BoolArray dense({frame.nx(), frame.ny(), frame.nz()});
+  bool* values = dense.mutable_data();
+  for (int ix = 0; ix < frame.nx(); ++ix) {
+    for (int iy = 0; iy < frame.ny(); ++iy) {
+      const std::uint64_t* column = grid.column(ix, iy);
+      for (int iz = 0; iz < frame.nz(); ++iz) *values++ = column[iz >> 6] >> (iz & 63) & 1u;
+    }
+  }
+  return dense;
+}
+
+/// A read-only view of the bit columns that keeps the grid alive.
+py::array columns_view(py::object self) {
+  const auto& grid = self.cast<const ltp::OccupancyGrid&>();
+  py::array_t<std::uint64_t> view({grid.frame().nx(), grid.frame().ny(), grid.words_per_column()},
+                                  grid.words().data(), self);
+  view.attr("flags").attr("writeable") = false;
+  return view;
+}
+
+ltp::Raster make_raster(const py::array& values, const Eigen::Vector2d& origin, double cell,
+                        double outside) {
+  if (values.ndim() != 2) ltp::check::fail("values.shape", shape_of(values), "(nx, ny)");
+  if (values.dtype().kind() != 'f' && values.dtype().kind() != 'i' &&
+      values.dtype().kind() != 'u' && values.dtype().kind() != 'b') {
+    throw py::type_error("values.dtype = " + py::str(values.dtype()).cast<std::string>() +
+                         ": expected real numbers");
+  }
+  return ltp::Raster(values.cast<ltp::Raster::Values>(), origin, cell, outside);
+}
+
+py::array raster_view(py::object self) {
+  const auto& raster = self.cast<const ltp::Raster&>();
+  py::array_t<double> view({raster.nx(), raster.ny()}, raster.values().data(), self);
+  view.attr("flags").attr("writeable") = false;
+  return view;
+}
+
+}  // namespace
+
+void bind_grid(py::module_& m) {
+  py::class_<ltp::GridFrame>(
+      m, "GridFrame",
+      "Where a grid of box-shaped cells lies in the world. Cell (i, j, k) covers\n"
+      "[origin + (i, j, k) * cell, + cell); a point on a face belongs to the upper cell.")
+      .def(py::init<const ltp::Point&, const ltp::Point&, const std::array<int, 3>&>(), "origin"_a,
+           "cell"_a, "dims"_a,
+           "origin: (3,) lowest corner [m]. cell: (3,) edges [m]. dims: cells along x, y, z.")
+      .def_property_readonly("origin", &ltp::GridFrame::origin, "(3,), lowest corner, world [m]")
+      .def_property_readonly("upper", &ltp::GridFrame::upper, "(3,), highest corner, world [m]")
+      .def_property_readonly("cell", &ltp::GridFrame::cell, "(3,), edges of a cell [m]")
+      .def_property_readonly("dims", &ltp::GridFrame::dims, "cells along x, y, z")
+      .def("cell_of", &ltp::GridFrame::cell_of, "point"_a,
+           "(3,) int: the cell that holds a point [m]; may lie outside.")
+      .def("centre", &ltp::GridFrame::centre, "cell"_a, "(3,): the centre of a cell, world [m].")
+      .def("contains", py::overload_cast<const ltp::Point&>(&ltp::GridFrame::contains, py::const_),
+           "point"_a, "Whether a point (3,) [m] lies inside the grid.")
+      .def("shifted", &ltp::GridFrame::shifted, "by"_a,
+           "The same lattice, its window moved by whole cells (3,) int.")
+      .def("__eq__", &ltp::GridFrame::operator==, "other"_a)
+      .def("__repr__", [](const ltp::GridFrame& frame) {
+        std::ostringstream text;
+        const Eigen::IOFormat row(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ", ", ", "", "",
+                                  "(", ")");
+        text << "GridFrame(origin=" << frame.origin().transpose().format(row)
+             << ", cell=" << frame.cell().transpose().format(row) << ", dims=(" << frame.nx()
+             << ", " << frame.ny() << ", " << frame.nz() << "))";
+        return text.str();
+      });
+
+  py::class_<ltp::Raster>(
+      m, "Raster",
+      "A scalar field over the ground - heights [m] or priority in [0, 1] - constant on each\n"
+      "square cell: cell (i, j) covers [origin + (i, j) * cell, + cell); axis 0 is x (east).")
+      .def(py::init(&make_raster), "values"_a, "origin"_a = Eigen::Vector2d(0, 0), "cell"_a = 1.0,
+           "outside"_a = 0.0,
+           "values: (nx, ny), finite. origin: (2,) outer corner of cell (0, 0) [m]. cell: edge "
+           "[m].\n"
+           "outside: the value beyond the edges. ValueError names what is wrong.")
+      .def_property_readonly("values", &raster_view, "(nx, ny) float64, a read-only view")
+      .def_property_readonly("origin", &ltp::Raster::origin,
+                             "(2,), outer corner of cell (0, 0) [m]")
+      .def_property_readonly("cell", &ltp::Raster::cell, "edge of a cell [m]")
+      .def_property_readonly("outside", &ltp::Raster::outside, "value beyond the edges")
+      .def_property_readonly("shape",
+                             [](const ltp::Raster& r) { return py::make_tuple(r.nx(), r.ny()); })
+      .def("at", py::vectorize(&ltp::Raster::at), "x"_a, "y"_a,
+           "Value of the cell that holds (x, y) [m]; vectorised.")
+      .def("bilinear", py::vectorize(&ltp::Raster::bilinear), "x"_a, "y"_a,
+           "Bilinear interpolation between cell centres; vectorised.")
+      .def(
+          "integral",
+          [](const ltp::Raster& raster, const ltp::Point& a, const ltp::Point& b) {
+            ltp::check::finite("a", a);
+            ltp::check::finite("b", b);
+            return raster.integral(a, b);
+          },
+          "a"_a, "b"_a,
+          "Exact integral of the field along the segment a-b, (3,) each, over its 3-D length [m].");
+
+  py::class_<ltp::OccupancyGrid>(
+      m, "OccupancyGrid", "Which cells are blocked, one bit a cell. A cell never set is free.")
+      .def(py::init<const ltp::GridFrame&>(), "frame"_a, "An empty grid.")
+      .def_static("from_array", &from_array, "blocked"_a, "frame"_a,
+                  "blocked: bool (nx, ny, nz), the frame's dims. TypeError for another dtype.")
+      .def("to_array", &to_array, "A dense copy, bool (nx, ny, nz).")
+      .def_property_readonly("columns", &columns_view,
+                             "uint64 (nx, ny, words), a read-only view without a copy: bit k of "
+                             "word w of a column is\n"
+                             "level 64 w + k.")
+      .def_property_readonly("frame", &ltp::OccupancyGrid::frame, py::return_value_policy::copy)
+      .def("count", &ltp::OccupancyGrid::count, "Number of blocked cells.")
+      .def(
+          "blocked_at",
+          [](const ltp::OccupancyGrid& grid, const ltp::PathRef& points) {
+            py::array_t<bool> out(points.rows());
+            for (Eigen::Index i = 0; i < points.rows(); ++i) {
+              out.mutable_at(i) = grid.blocked_at(points.row(i).transpose());
+            }
+            return out;
+          },
+          "points"_a,
+          "bool (N,): whether the cells that hold points (N, 3) [m] are blocked; False outside.")
+      .def(
+          "roll", [](ltp::OccupancyGrid& grid, const ltp::Cell& shift) { grid.roll(shift); },
+          "shift"_a,
+          "Moves the window by whole cells (3,) int; what leaves is forgotten, what enters is "
+          "free.")
+      .def(
+          "first_blocked",
+          [](const ltp::OccupancyGrid& grid, const ltp::PathRef& path, double from_arc_length) {
+            require_finite("path", path);
+            return grid.first_blocked(path, from_arc_length);
+          },
+          "path"_a, "from_arc_length"_a = 0.0,
+          "Arc length [m] at which a path (N, 3) first touches a blocked cell, exactly; None if it "
+          "touches none.")
+      .def("__eq__", &ltp::OccupancyGrid::operator==, "other"_a);
+}

@@ -1,0 +1,183 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The ground plan of the built-in city: streets, blocks, river, boulevard, roundabout.
+
+Everything here is in the street frame (u, v): metres from the middle of the map, turned by
+`Plan.angle` against (east, north), so that streets and blocks are axis-aligned rectangles.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+EMBANKMENT_ROAD = 11.0  # width of the road on each side of the river's corridor [m]
+
+
+@dataclass(frozen=True)
+class Rect:
+    """An axis-aligned rectangle in the street frame [m]."""
+
+    u0: float
+    v0: float
+    u1: float
+    v1: float
+
+    @property
+    def width(self) -> float:
+        """Extent along u [m]."""
+        return self.u1 - self.u0
+
+    @property
+    def depth(self) -> float:
+        """Extent along v [m]."""
+        return self.v1 - self.v0
+
+    @property
+    def centre(self) -> tuple[float, float]:
+        """Its middle (u, v) [m]."""
+        return (self.u0 + self.u1) / 2, (self.v0 + self.v1) / 2
+
+    def inset(self, margin: float) -> "Rect":
+        """The rectangle that stays `margin` metres away from its edges."""
+        return Rect(self.u0 + margin, self.v0 + margin, self.u1 - margin, self.v1 - margin)
+
+
+@dataclass(frozen=True)
+class Street:
+    """A straight street: its area, and whether it runs along u (else along v)."""
+
+    area: Rect
+    along_u: bool
+
+
+@dataclass(frozen=True)
+class River:
+    """A band of water that winds along u through its corridor; bridges cross it along v."""
+
+    corridor: Rect
+    width: float  # of the water [m]
+    swing: float  # amplitude [m]
+    wavelength: float  # [m]
+    phase: float  # [rad]
+    bridges: tuple[Rect, ...]
+
+    def middle(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
+        """V of the middle of the water at `u`."""
+        turn = 2.0 * np.pi / self.wavelength * u + self.phase
+        return np.asarray(self.corridor.centre[1] + self.swing * np.sin(turn))
+
+
+@dataclass(frozen=True)
+class Boulevard:
+    """The diagonal: a straight line through the roundabout at (u, v)."""
+
+    u: float
+    v: float
+    direction: float  # [rad] against u
+    width: float  # from house to house [m]
+    roundabout: float  # outer radius [m]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """All lines of the city, before anything is built."""
+
+    angle: float  # of the street frame against east [rad]
+    blocks: tuple[Rect, ...]  # kerb to kerb
+    parks: tuple[Rect, ...]  # unsplit superblocks
+    streets: tuple[Street, ...]  # avenues first
+    river: River
+    boulevard: Boulevard
+
+
+def draw_plan(rng: np.random.Generator, size: float) -> Plan:
+    """Draw the lines of a square city of `size` metres: halves, superblocks, blocks."""
+    angle = rng.uniform(0.08, 0.30) * rng.choice([-1.0, 1.0])
+    reach = 0.5 * size * (math.cos(angle) + abs(math.sin(angle))) + 30.0
+    corridor_v = rng.uniform(-0.30, -0.22) * size
+    corridor = Rect(-reach, corridor_v - 56.0, reach, corridor_v + 56.0)
+
+    avenues: list[Street] = []
+    superblocks: list[Rect] = []
+    for half in (Rect(-reach, -reach, reach, corridor.v0), Rect(-reach, corridor.v1, reach, reach)):
+        if half.depth > 30.0:
+            superblocks += _divide(rng, half, 300.0, (24.0, 34.0), avenues)
+
+    parks = _choose_parks(superblocks, size)
+    streets: list[Street] = []
+    blocks: list[Rect] = []
+    for superblock in superblocks:
+        if superblock not in parks:
+            blocks += _divide(rng, superblock, 116.0, (11.0, 19.0), streets)
+
+    river = River(
+        corridor=corridor,
+        width=rng.uniform(44.0, 52.0),
+        swing=rng.uniform(11.0, 15.0),
+        wavelength=rng.uniform(480.0, 700.0),
+        phase=rng.uniform(0.0, 2.0 * math.pi),
+        bridges=_bridges(avenues, corridor),
+    )
+    boulevard = Boulevard(
+        u=rng.uniform(-0.14, 0.02) * size,
+        v=rng.uniform(0.04, 0.14) * size,
+        direction=rng.uniform(0.55, 0.85) * rng.choice([-1.0, 1.0]),
+        width=38.0,
+        roundabout=52.0,
+    )
+    return Plan(angle, tuple(blocks), parks, (*avenues, *streets), river, boulevard)
+
+
+def _divide(
+    rng: np.random.Generator,
+    area: Rect,
+    longest: float,
+    widths: tuple[float, float],
+    streets: list[Street],
+) -> list[Rect]:
+    """Halve `area` by streets, across its longer side, until no side exceeds `longest`."""
+    if max(area.width, area.depth) <= longest:
+        return [area]
+    along_u = area.depth > area.width  # the new street runs along the shorter side
+    street = rng.uniform(*widths)
+    length = max(area.width, area.depth)
+    cut = rng.uniform(0.38, 0.62) * length
+    if along_u:
+        first = Rect(area.u0, area.v0, area.u1, area.v0 + cut - street / 2)
+        second = Rect(area.u0, area.v0 + cut + street / 2, area.u1, area.v1)
+        between = Rect(area.u0, first.v1, area.u1, second.v0)
+    else:
+        first = Rect(area.u0, area.v0, area.u0 + cut - street / 2, area.v1)
+        second = Rect(area.u0 + cut + street / 2, area.v0, area.u1, area.v1)
+        between = Rect(first.u1, area.v0, second.u0, area.v1)
+    streets.append(Street(between, along_u))
+    return [
+        rect for part in (first, second) for rect in _divide(rng, part, longest, widths, streets)
+    ]
+
+
+def _choose_parks(superblocks: list[Rect], size: float) -> tuple[Rect, ...]:
+    """The superblocks nearest to two spots, one west of the centre, one in the far east."""
+    spots = ((-0.24 * size, -0.02 * size), (0.34 * size, 0.26 * size))
+    chosen = []
+    for spot in spots:
+        nearest = min(superblocks, key=lambda rect: math.dist(rect.centre, spot))
+        if nearest not in chosen:
+            chosen.append(nearest)
+    return tuple(chosen)
+
+
+def _bridges(avenues: list[Street], corridor: Rect) -> tuple[Rect, ...]:
+    """Carry the avenues that end at the corridor across it, where they are not too close."""
+    bridges: list[Rect] = []
+    for street in avenues:
+        area = street.area
+        touches = area.v1 == corridor.v0 or area.v0 == corridor.v1
+        if street.along_u or not touches:
+            continue
+        deck = Rect(area.u0 + 3.0, corridor.v0, area.u1 - 3.0, corridor.v1)
+        if all(abs(deck.centre[0] - other.centre[0]) > 130.0 for other in bridges):
+            bridges.append(deck)
+    return tuple(bridges)
