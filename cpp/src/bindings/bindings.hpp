@@ -39,14 +39,14 @@ inline void require_finite(const char* name, const ltp::PathRef& points) {
 template <typename Options>
 Options from_keywords(const py::kwargs& keywords) {
   Options options;
-  py::object view = py::cast(&options, py::return_value_policy::reference);
-  for (const auto& [name, value] : keywords) {
-    const auto key = name.cast<std::string>();
-    if (!py::hasattr(view, key.c_str())) {
-      throw py::type_error(py::str(view.get_type().attr("__name__")).cast<std::string>() +
-                           " has no field '" + key + "'");
+  const py::object view = py::cast(&options, py::return_value_policy::reference);
+  for (const auto& item : keywords) {
+    const std::string name = py::str(item.first);
+    if (!py::hasattr(view, name.c_str())) {
+      const std::string owner = py::str(py::type::of(view).attr("__name__"));
+      throw py::type_error(owner + " has no field '" + name + "'");
     }
-    py::setattr(view, name, value);
+    py::setattr(view, item.first, item.second);
   }
   return options;
 }
@@ -55,17 +55,15 @@ Options from_keywords(const py::kwargs& keywords) {
 template <typename Class>
 void list_fields(Class& cls, std::initializer_list<const char*> names) {
   py::tuple fields(names.size());
-  std::size_t i = 0;
-  for (const char* name : names) fields[i++] = py::str(name);
+  std::size_t count = 0;
+  for (const char* name : names) fields[count++] = py::str(name);
   cls.attr("__fields__") = fields;  // what `ltp.config` reads and writes
   cls.def("__repr__", [fields](const py::object& self) {
-    std::string text = py::str(self.get_type().attr("__name__")).cast<std::string>() + "(";
-    bool first = true;
-    for (const auto& name : fields) {
-      if (!first) text += ", ";
-      first = false;
-      text += name.cast<std::string>() + "=" +
-              py::repr(self.attr(name.cast<std::string>().c_str())).cast<std::string>();
+    std::string text = py::str(py::type::of(self).attr("__name__"));
+    text += "(";
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const std::string name = py::str(fields[i]);
+      text += (i > 0 ? ", " : "") + name + "=" + std::string(py::repr(self.attr(name.c_str())));
     }
     return text + ")";
   });

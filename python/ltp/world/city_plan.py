@@ -103,14 +103,14 @@ def draw_plan(rng: np.random.Generator, size: float) -> Plan:
     superblocks: list[Rect] = []
     for half in (Rect(-reach, -reach, reach, corridor.v0), Rect(-reach, corridor.v1, reach, reach)):
         if half.depth > 30.0:
-            superblocks += _divide(rng, half, 300.0, (24.0, 34.0), avenues)
+            superblocks += _divide(rng, half, 330.0, (19.0, 30.0), avenues)
 
     parks = _choose_parks(superblocks, size)
     streets: list[Street] = []
     blocks: list[Rect] = []
     for superblock in superblocks:
         if superblock not in parks:
-            blocks += _divide(rng, superblock, 116.0, (11.0, 19.0), streets)
+            blocks += _divide(rng, superblock, 118.0, (7.0, 13.0), streets)
 
     river = River(
         corridor=corridor,
