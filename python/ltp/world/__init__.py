@@ -2,7 +2,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Worlds to fly over: what stands where, what lies on the ground, and where one may land."""
 
+from .city import make_city
 from .classes import CLASS_COLOURS, LANDABLE_PRESETS, LandClass
+from .landable import LandingRules, landable_mask
+from .picture import world_picture
+from .priority import binary_priority, footprint, lowpass_priority, priority_map
 from .world import Datum, World
 
-__all__ = ["CLASS_COLOURS", "LANDABLE_PRESETS", "Datum", "LandClass", "World"]
+__all__ = [
+    "CLASS_COLOURS",
+    "LANDABLE_PRESETS",
+    "Datum",
+    "LandClass",
+    "LandingRules",
+    "World",
+    "binary_priority",
+    "footprint",
+    "landable_mask",
+    "lowpass_priority",
+    "make_city",
+    "priority_map",
+    "world_picture",
+]

@@ -36,6 +36,14 @@ def positive(name: str, value: object) -> float:
     return number
 
 
+def not_negative(name: str, value: object) -> float:
+    """Return `value` as a float; demand a finite number of at least zero."""
+    number = finite(name, value)
+    if number < 0.0:
+        raise ValueError(f"{name} must not be negative, not {value!r}")
+    return number
+
+
 def corner(origin: Any) -> tuple[float, float]:
     """Return `origin` as (x, y); demand two finite numbers."""
     try:

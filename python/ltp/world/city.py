@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .checks import positive
-from .city_blocks import PAVEMENT, Site, fill_block, park_cars, tower
+from .city_blocks import fill_block
 from .city_canvas import Canvas
+from .city_parts import PAVEMENT, Site, tower
 from .city_plan import EMBANKMENT_ROAD, Boulevard, Plan, Rect, River, draw_plan
 from .classes import LandClass
 from .world import Datum, World
@@ -26,7 +27,7 @@ def make_city(
         seed: the same seed (with the same other arguments) gives the same city, to the bit.
         size: edge of the square map, a whole number of cells, at least 100 [m].
         cell: edge of a cell [m].
-        max_height: nothing stands higher; the highest tower reaches it [m].
+        max_height: nothing stands higher; the landmark tower reaches it, where there is room [m].
 
     Returns:
         A `World` with flat ground at z = 0, origin (0, 0) in the south-west, no CRS.
@@ -72,7 +73,9 @@ def _checked(size: float, cell: float, max_height: float) -> tuple[float, float,
     if size < _SMALLEST:
         raise ValueError(f"size must be at least {_SMALLEST:g} m, not {size!r}")
     if (size / cell) ** 2 > _MOST_CELLS:
-        raise ValueError(f"size / cell must not exceed {math.isqrt(_MOST_CELLS)}, not {size / cell}")
+        raise ValueError(
+            f"size / cell must not exceed {math.isqrt(_MOST_CELLS)}, not {size / cell}"
+        )
     if cell > size / 10.0 or abs(size / cell - round(size / cell)) > 1e-9 * size / cell:
         raise ValueError(f"cell must divide size = {size:g} m into 10 or more cells, not {cell!r}")
     return size, cell, positive("max_height", max_height)
@@ -96,11 +99,15 @@ def _blocks(
         away = np.hypot(centres[:, 0] - u, centres[:, 1] - v)
         centrality = float(np.exp(-((away / centres[:, 2]) ** 2)).max())
         fill_block(Site(canvas, rng, block, centrality))
-    landmark = min(plan.blocks, key=lambda rect: math.dist(rect.centre, centres[0, :2]))
-    site = Site(canvas, rng, landmark, 1.0)
-    site.cover(landmark, LandClass.SQUARE)
-    side = min(46.0, 0.6 * min(landmark.width, landmark.depth))
-    tower(site, *landmark.centre, side, max_height, "stepped")
+    middle = tuple(centres[0, :2])
+    for block in sorted(plan.blocks, key=lambda rect: math.dist(rect.centre, middle)):
+        patch = canvas.rect(block)
+        if patch is not None and not canvas.reserved[patch.window].any():
+            site = Site(canvas, rng, block, 1.0)
+            site.cover(block, LandClass.SQUARE)
+            side = min(46.0, 0.6 * min(block.width, block.depth))
+            tower(site, *block.centre, side, max_height, "stepped")
+            break
 
 
 def _park(canvas: Canvas, rng: np.random.Generator, area: Rect) -> None:
@@ -133,7 +140,8 @@ def _park(canvas: Canvas, rng: np.random.Generator, area: Rect) -> None:
     tree_u, tree_v = u + spots[:, 0] * lawn.width, v + spots[:, 1] * lawn.depth
     grove = np.sin(tree_u / 23.0 + 1.0) * np.sin(tree_v / 19.0) + np.sin((tree_u + tree_v) / 41.0)
     edge = np.abs(spots).max(axis=1) > 0.475
-    kept = (grove > 0.75) | (edge & (rng.random(len(spots)) < 0.5))
+    chance = np.where(grove > 0.75, 1.0, np.where(edge, 0.5, 0.05))
+    kept = rng.random(len(spots)) < chance
     canvas.plant(rng, tree_u[kept], tree_v[kept], 17.0)
 
 
@@ -164,9 +172,7 @@ def _riverside(canvas: Canvas, rng: np.random.Generator, river: River) -> None:
         canvas.plant(rng, along, np.full(along.size, rim), 13.0)
 
 
-def _along(
-    canvas: Canvas, line: Boulevard
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _along(canvas: Canvas, line: Boulevard) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Distance to the left of the boulevard's axis and position along it, for every cell [m]."""
     c, s = math.cos(line.direction), math.sin(line.direction)
     du, dv = canvas.u - line.u, canvas.v - line.v

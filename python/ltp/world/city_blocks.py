@@ -4,42 +4,14 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from .city_canvas import Canvas
+from .city_parts import Site, lots, park_cars, pitched, row, tower, turned
 from .city_plan import Rect
 from .classes import LandClass
 
-PAVEMENT = 3.0  # width of the pavement round a block [m]
-
-
-@dataclass(frozen=True)
-class Site:
-    """One block, kerb to kerb, and how central it is."""
-
-    canvas: Canvas
-    rng: np.random.Generator
-    area: Rect
-    centrality: float  # 0 at the edge of town ... 1 in the middle
-
-    @property
-    def plot(self) -> Rect:
-        """The block inside its pavement."""
-        return self.area.inset(PAVEMENT)
-
-    def cover(self, area: Rect, land: LandClass) -> None:
-        """Cover a rectangle of this block."""
-        self.canvas.lay(self.canvas.rect(area), land)
-
-    def scatter(self, area: Rect, per_hectare: float, tallest: float = 14.0) -> None:
-        """Plant trees at random over a rectangle."""
-        count = self.rng.poisson(max(0.0, area.width * area.depth) / 1e4 * per_hectare)
-        u = self.rng.uniform(area.u0, area.u1, count)
-        v = self.rng.uniform(area.v0, area.v1, count)
-        self.canvas.plant(self.rng, u, v, tallest)
+_INNER = (0.10, 0.30)  # centrality from which a block is inner town, and the middle
 
 
 def fill_block(site: Site) -> None:
@@ -49,41 +21,17 @@ def fill_block(site: Site) -> None:
     if min(plot.width, plot.depth) < 22.0:
         _green(site)
         return
-    kinds = _MIX[int(np.searchsorted((0.12, 0.36), site.centrality))]
+    kinds = _MIX[int(np.searchsorted(_INNER, site.centrality))]
     names = list(kinds)
     weights = np.array([kinds[name] for name in names])
     name = names[int(site.rng.choice(len(names), p=weights / weights.sum()))]
     _KINDS[name](site)
 
 
-def tower(site: Site, u: float, v: float, side: float, height: float, style: str) -> None:
-    """Raise a tower that fits a square of `side` metres round (u, v)."""
-    canvas, rng = site.canvas, site.rng
-    slim = rng.uniform(0.72, 1.0)
-    if style == "round":
-        canvas.build(canvas.disc(u, v, 0.5 * side), height)
-        canvas.build(canvas.disc(u, v, 0.22 * side), height + 4.0)
-        return
-    if style == "stepped":
-        for share, level in ((1.0, 0.66), (0.86, 0.86), (0.62, 0.95), (0.34, 1.0)):
-            canvas.build(canvas.box(u, v, share * side, share * slim * side), level * height)
-        return
-    turn = 0.0
-    if style == "turned":  # a turned square needs more room than an upright one
-        turn = rng.uniform(0.25, math.pi / 2 - 0.25)
-        side *= 0.86
-    elif style == "cross":
-        canvas.build(canvas.box(u, v, side, 0.45 * side), height)
-        canvas.build(canvas.box(u, v, 0.45 * side, side), height)
-        return
-    canvas.build(canvas.box(u, v, side, slim * side, turn), height)
-    canvas.build(canvas.box(u, v, 0.4 * side, 0.4 * slim * side, turn), height + 4.0)
-
-
 def _downtown(site: Site) -> None:
     """Towers on podiums, lot by lot, with a plaza now and then."""
     rng, canvas = site.rng, site.canvas
-    for lot in _lots(rng, site.plot, 62.0, 3.5):
+    for lot in lots(rng, site.plot, rng.uniform(46.0, 78.0), 3.5):
         site.cover(lot, LandClass.PAVED)
         roll = rng.random()
         side = min(lot.width, lot.depth)
@@ -93,8 +41,8 @@ def _downtown(site: Site) -> None:
         podium = lot.inset(rng.uniform(0.0, 2.0))
         low = rng.uniform(9.0, 26.0)
         canvas.build(canvas.rect(podium), low)
-        if roll < 0.20 or side < 20.0:  # an office house without a tower
-            canvas.build(canvas.rect(podium.inset(4.0)), low + rng.uniform(3.0, 22.0))
+        if roll < 0.22 or side < 20.0:  # an office house without a tower
+            canvas.build(canvas.rect(podium.inset(4.0)), low + rng.uniform(6.0, 26.0))
             continue
         u, v = podium.centre
         style = str(rng.choice(["plain", "plain", "plain", "stepped", "round", "turned", "cross"]))
@@ -102,11 +50,11 @@ def _downtown(site: Site) -> None:
         if max(lot.width, lot.depth) > 1.5 * side and style in ("plain", "stepped"):
             across = lot.depth > lot.width
             canvas.build(
-                canvas.box(u, v, *_swap(across, 0.86 * max(lot.width, lot.depth), 0.62 * side)),
+                canvas.box(u, v, *turned(across, 0.9 * max(lot.width, lot.depth), 0.7 * side)),
                 height,
             )
             continue
-        tower(site, u, v, rng.uniform(0.78, 0.95) * side, height, style)
+        tower(site, u, v, rng.uniform(0.82, 0.97) * side, height, style)
 
 
 def _perimeter(site: Site) -> None:
@@ -117,7 +65,7 @@ def _perimeter(site: Site) -> None:
     storey = rng.uniform(15.0, 24.0) + 9.0 * site.centrality
     roomy = min(yard.width, yard.depth) > 12.0
     if not roomy:
-        for lot in _lots(rng, plot, 26.0, 0.0):
+        for lot in lots(rng, plot, 26.0, 0.0):
             canvas.build(canvas.rect(lot), storey + rng.normal(0.0, 2.5))
         return
     site.cover(yard, LandClass.GRASS if rng.random() < 0.6 else LandClass.PAVED)
@@ -128,12 +76,12 @@ def _perimeter(site: Site) -> None:
         Rect(plot.u0, yard.v0, yard.u0, yard.v1),
         Rect(yard.u1, yard.v0, plot.u1, yard.v1),
     ):
-        for house in _row(rng, bar, 13.0, 28.0):
+        for house in row(rng, bar, 13.0, 28.0):
             if rng.random() < 0.93:  # a gap lets one look into the yard
-                _pitched(site, house, max(9.0, storey + rng.normal(0.0, 2.2)), 0.25)
+                pitched(site, house, max(9.0, storey + rng.normal(0.0, 2.2)), 0.25)
     if min(yard.width, yard.depth) > 34.0:
         u, v = yard.centre
-        wing = canvas.box(u, v, *_swap(yard.depth > yard.width, 0.6 * yard.width, 11.0))
+        wing = canvas.box(u, v, *turned(yard.depth > yard.width, 0.6 * yard.width, 11.0))
         canvas.build(wing, rng.uniform(5.0, 14.0))
     if rng.random() < 0.55 * (0.5 + site.centrality):  # one corner house grew into a tower
         side = rng.uniform(20.0, 27.0)
@@ -151,18 +99,19 @@ def _estate(site: Site) -> None:
     slabs = rng.random() < 0.5
     height = rng.uniform(50.0, 78.0)
     parking = Rect(plot.u0, plot.v0, plot.u1, plot.v0 + 17.0)
-    cells = _lots(rng, Rect(plot.u0, parking.v1 + 4.0, plot.u1, plot.v1), 1.3 * pitch, 6.0)
+    cells = lots(rng, Rect(plot.u0, parking.v1 + 4.0, plot.u1, plot.v1), 1.3 * pitch, 6.0)
+    for cell in cells:  # all paths before the first house, or they would cut through it
+        u, v = cell.centre
+        canvas.lay(canvas.box(u, (parking.v1 + v) / 2, 2.5, v - parking.v1), LandClass.PATH)
     for cell in cells:
         u, v = cell.centre
         tall = height * rng.uniform(0.82, 1.12)
-        path = canvas.box(u, (parking.v1 + v) / 2, 2.5, max(1.0, v - parking.v1))
-        canvas.lay(path, LandClass.PATH, where=None)
         if slabs:
             reach = min(cell.width, cell.depth) / max(0.7, abs(math.sin(turn)) + math.cos(turn))
-            slab = canvas.box(u, v, *_swap(cell.depth > cell.width, 0.92 * reach, 14.0), turn)
+            slab = canvas.box(u, v, *turned(cell.depth > cell.width, 0.95 * reach, 16.0), turn)
             canvas.build(slab, tall)
         else:
-            side = min(28.0, 0.62 * min(cell.width, cell.depth))
+            side = min(30.0, 0.66 * min(cell.width, cell.depth))
             tower(site, u, v, side, tall, str(rng.choice(["plain", "cross", "turned"])))
     park_cars(site, parking)
     site.scatter(Rect(plot.u0, parking.v1, plot.u1, plot.v1).inset(2.0), 55.0)
@@ -176,9 +125,9 @@ def _houses(site: Site) -> None:
     length = plot.width if along_u else plot.depth
     breadth = plot.depth if along_u else plot.width
     rows = max(1, round(breadth / 36.0)) if breadth > 30.0 else 1
-    for row in range(2 * rows):
-        lane = breadth / (2 * rows)
-        near = row * lane + (4.0 if row % 2 == 0 else lane - 14.0)
+    lane = breadth / (2 * rows)
+    for number in range(2 * rows):
+        near = number * lane + (4.0 if number % 2 == 0 else lane - 14.0)
         position = 2.0
         while position + 8.0 < length:
             front = rng.uniform(7.0, 12.0)
@@ -188,7 +137,7 @@ def _houses(site: Site) -> None:
             if not along_u:
                 u0, v0, du, dv = v0, u0, dv, du
             house = Rect(plot.u0 + u0, plot.v0 + v0, plot.u0 + u0 + du, plot.v0 + v0 + dv)
-            _pitched(site, house, rng.uniform(5.0, 7.5), 0.7)
+            pitched(site, house, rng.uniform(5.0, 7.5), 0.7)
             position += front + rng.choice([0.0, 0.0, 3.0, 4.5])
     site.scatter(plot, 45.0, 9.0)
 
@@ -218,12 +167,12 @@ def _school(site: Site) -> None:
     across = plot.depth > plot.width
     length, breadth = max(plot.width, plot.depth), min(plot.width, plot.depth)
     u, v = plot.centre
-    field = canvas.box(u, v, *_swap(across, length - 10.0, 0.52 * breadth))
+    field = canvas.box(u, v, *turned(across, length - 10.0, 0.52 * breadth))
     canvas.lay(field, LandClass.PITCH)
     offset = 0.38 * breadth
     du, dv = (offset, 0.0) if across else (0.0, offset)
-    canvas.build(canvas.box(u + du, v + dv, *_swap(across, 0.7 * length, 12.0)), 13.0)
-    hall = canvas.box(u - du, v - dv, *_swap(across, 0.3 * length, 0.16 * breadth))
+    canvas.build(canvas.box(u + du, v + dv, *turned(across, 0.7 * length, 12.0)), 13.0)
+    hall = canvas.box(u - du, v - dv, *turned(across, 0.3 * length, 0.16 * breadth))
     canvas.build(hall, rng.uniform(7.0, 9.0))
     site.scatter(plot, 35.0)
 
@@ -287,67 +236,9 @@ def _construction(site: Site) -> None:
 
 
 def _plaza(site: Site, lot: Rect) -> None:
+    """A paved lot with a few trees."""
     site.cover(lot, LandClass.SQUARE)
     site.scatter(lot.inset(4.0), 50.0, 9.0)
-
-
-def park_cars(site: Site, lot: Rect) -> None:
-    """Cover `lot` with parking: aisles every 16 m, two bays of 2.5 m stalls, two in three taken."""
-    patch = site.canvas.rect(lot)
-    if patch is None:
-        return
-    s, t = patch.s + lot.width / 2, patch.t + lot.depth / 2
-    bay, across = np.floor(t / 8.0).astype(int), np.mod(t, 16.0)
-    stall = np.floor(s / 2.5).astype(int)
-    taken = site.rng.random((max(1, bay.max() + 1), max(1, stall.max() + 1))) < 0.66
-    car = taken[np.clip(bay, 0, None), np.clip(stall, 0, None)]
-    car &= (np.abs(across - 8.0) > 3.4) & (np.abs(across - 8.0) < 7.6)
-    car &= (np.abs(np.mod(s, 2.5) - 1.25) < 0.95) & (s > 4.0) & (s < lot.width - 4.0)
-    site.canvas.lay(patch, LandClass.PARKING, np.where(car, 1.5, 0.0))
-
-
-def _pitched(site: Site, house: Rect, eaves: float, slope: float) -> None:
-    """A house under a gabled roof, its ridge along the longer side."""
-    patch = site.canvas.rect(house)
-    if patch is None:
-        return
-    across, breadth = (patch.t, house.depth) if house.width >= house.depth else (patch.s, house.width)
-    site.canvas.build(patch, eaves + slope * np.maximum(0.0, breadth / 2 - np.abs(across)))
-
-
-def _lots(rng: np.random.Generator, area: Rect, longest: float, gap: float) -> list[Rect]:
-    """Cut `area` into lots no longer than `longest`, `gap` metres apart."""
-    if min(area.width, area.depth) <= 0.0:
-        return []
-    across = max(1, math.ceil(area.width / longest))
-    along = max(1, math.ceil(area.depth / longest))
-    u, v = _cuts(rng, area.u0, area.u1, across), _cuts(rng, area.v0, area.v1, along)
-    return [
-        Rect(u[a] + gap / 2, v[b] + gap / 2, u[a + 1] - gap / 2, v[b + 1] - gap / 2)
-        for a in range(across)
-        for b in range(along)
-    ]
-
-
-def _row(rng: np.random.Generator, bar: Rect, shortest: float, longest: float) -> list[Rect]:
-    """Cut a bar along its longer side into houses."""
-    count = max(1, round(max(bar.width, bar.depth) / rng.uniform(shortest, longest)))
-    if bar.width >= bar.depth:
-        u = _cuts(rng, bar.u0, bar.u1, count)
-        return [Rect(u[k], bar.v0, u[k + 1], bar.v1) for k in range(count)]
-    v = _cuts(rng, bar.v0, bar.v1, count)
-    return [Rect(bar.u0, v[k], bar.u1, v[k + 1]) for k in range(count)]
-
-
-def _cuts(rng: np.random.Generator, start: float, stop: float, count: int) -> NDArray[np.float64]:
-    """`count` + 1 places from `start` to `stop`, the inner ones shifted a little at random."""
-    places = np.linspace(start, stop, count + 1)
-    places[1:-1] += rng.uniform(-0.14, 0.14, count - 1) * (stop - start) / count
-    return places
-
-
-def _swap(swap: bool, length: float, depth: float) -> tuple[float, float]:
-    return (depth, length) if swap else (length, depth)
 
 
 _KINDS: dict[str, Callable[[Site], None]] = {
@@ -365,7 +256,15 @@ _KINDS: dict[str, Callable[[Site], None]] = {
 
 # How often each kind stands at the edge of town, in the inner town, in the middle.
 _MIX: tuple[dict[str, float], ...] = (
-    {"estate": 38, "houses": 22, "perimeter": 20, "shed": 7, "school": 6, "green": 3, "car park": 4},
+    {
+        "estate": 38,
+        "houses": 22,
+        "perimeter": 20,
+        "shed": 7,
+        "school": 6,
+        "green": 3,
+        "car park": 4,
+    },
     {"perimeter": 36, "downtown": 42, "estate": 14, "square": 3, "car park": 3, "school": 2},
     {"downtown": 86, "perimeter": 8, "square": 4, "construction": 2},
 )

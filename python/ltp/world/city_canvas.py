@@ -49,7 +49,7 @@ class Canvas:
     def box(
         self, u: float, v: float, length: float, depth: float, turn: float = 0.0
     ) -> Patch | None:
-        """A rectangle round (u, v), its length turned by `turn` [rad] against u; None if outside."""
+        """A rectangle round (u, v), turned by `turn` [rad] against u; None if outside."""
         c, s = math.cos(turn), math.sin(turn)
         reach_u = 0.5 * (length * abs(c) + depth * abs(s))
         reach_v = 0.5 * (length * abs(s) + depth * abs(c))

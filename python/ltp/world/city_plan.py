@@ -86,31 +86,32 @@ class Plan:
 
     angle: float  # of the street frame against east [rad]
     blocks: tuple[Rect, ...]  # kerb to kerb
-    parks: tuple[Rect, ...]  # unsplit superblocks
+    parks: tuple[Rect, ...]  # whole quarters
     streets: tuple[Street, ...]  # avenues first
     river: River
     boulevard: Boulevard
 
 
 def draw_plan(rng: np.random.Generator, size: float) -> Plan:
-    """Draw the lines of a square city of `size` metres: halves, superblocks, blocks."""
+    """Draw the lines of a square city of `size` metres: districts, quarters, blocks."""
     angle = rng.uniform(0.08, 0.30) * rng.choice([-1.0, 1.0])
     reach = 0.5 * size * (math.cos(angle) + abs(math.sin(angle))) + 30.0
     corridor_v = rng.uniform(-0.30, -0.22) * size
     corridor = Rect(-reach, corridor_v - 56.0, reach, corridor_v + 56.0)
 
     avenues: list[Street] = []
-    superblocks: list[Rect] = []
-    for half in (Rect(-reach, -reach, reach, corridor.v0), Rect(-reach, corridor.v1, reach, reach)):
-        if half.depth > 30.0:
-            superblocks += _divide(rng, half, 330.0, (19.0, 30.0), avenues)
-
-    parks = _choose_parks(superblocks, size)
+    quarters: list[Rect] = []
     streets: list[Street] = []
+    for bank in (Rect(-reach, -reach, reach, corridor.v0), Rect(-reach, corridor.v1, reach, reach)):
+        if bank.depth > 30.0:
+            for district in _divide(rng, bank, 420.0, (19.0, 28.0), avenues):
+                quarters += _divide(rng, district, 235.0, (12.0, 16.0), streets)
+
+    parks = _choose_parks(quarters, size)
     blocks: list[Rect] = []
-    for superblock in superblocks:
-        if superblock not in parks:
-            blocks += _divide(rng, superblock, 118.0, (7.0, 13.0), streets)
+    for quarter in quarters:
+        if quarter not in parks:
+            blocks += _divide(rng, quarter, 112.0, (7.0, 11.0), streets)
 
     river = River(
         corridor=corridor,
@@ -158,15 +159,14 @@ def _divide(
     ]
 
 
-def _choose_parks(superblocks: list[Rect], size: float) -> tuple[Rect, ...]:
-    """The superblocks nearest to two spots, one west of the centre, one in the far east."""
-    spots = ((-0.24 * size, -0.02 * size), (0.34 * size, 0.26 * size))
-    chosen = []
-    for spot in spots:
-        nearest = min(superblocks, key=lambda rect: math.dist(rect.centre, spot))
-        if nearest not in chosen:
-            chosen.append(nearest)
-    return tuple(chosen)
+def _choose_parks(quarters: list[Rect], size: float) -> tuple[Rect, ...]:
+    """The quarters nearest to two spots: one west of the centre, one in the far north-east."""
+    spots = ((-0.24 * size, -0.02 * size), (0.36 * size, 0.34 * size))
+    count = len(quarters) // 6  # a small map needs its few quarters for houses
+    nearest = [
+        min(quarters, key=lambda rect: math.dist(rect.centre, spot)) for spot in spots[:count]
+    ]
+    return tuple(dict.fromkeys(nearest))
 
 
 def _bridges(avenues: list[Street], corridor: Rect) -> tuple[Rect, ...]:
