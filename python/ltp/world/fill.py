@@ -56,17 +56,16 @@ def wide_gaps(empty: NDArray[np.bool_], width: float) -> NDArray[np.bool_]:
     A thin survey leaves many single cells empty by chance; a gap as wide as this is no chance.
     What lies outside the raster counts as empty too, or else a gap on its rim would look narrow.
     """
-    if not empty.any():
-        return empty
-    if empty.all():
+    if empty.all() or not empty.any():
         return empty
     ndimage = require("scipy.ndimage", _PURPOSE)
     # From the centre of a cell to the edge of the nearest full cell is half a cell less.
     core = ndimage.distance_transform_edt(empty) - 0.5 >= width / 2
     if not core.any():
-        return core
+        return np.zeros_like(empty)
     reached = ndimage.distance_transform_edt(~core) <= width / 2
-    return np.asarray(empty & reached)
+    gaps: NDArray[np.bool_] = empty & reached
+    return gaps
 
 
 def grow(
@@ -113,9 +112,7 @@ def grow(
 
 def _shifts(padded: NDArray[np.generic]) -> list[NDArray[np.generic]]:
     n, m = padded.shape[0] - 2, padded.shape[1] - 2
-    return [
-        padded[i : i + n, j : j + m] for i in range(3) for j in range(3) if (i, j) != (1, 1)
-    ]
+    return [padded[i : i + n, j : j + m] for i in range(3) for j in range(3) if (i, j) != (1, 1)]
 
 
 def _neighbours(mask: NDArray[np.bool_]) -> NDArray[np.int16]:

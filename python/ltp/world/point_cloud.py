@@ -16,7 +16,7 @@ from . import las_header
 from .archive import MAX_CELLS
 from .classes import LandClass
 from .fill import fill_linear, grow, wide_gaps
-from .geotiff import OBJECT_HEIGHT
+from .geotiff import HEIGHTS, OBJECT_HEIGHT
 from .metric_crs import crs_name, metric_crs
 from .optional import require
 from .world import Datum, World
@@ -55,8 +55,8 @@ def read(
         cell: cell size of the world [m]; best not much below the spacing of the returns.
         bounds: x_min, y_min, x_max, y_max in the CRS, to cut a piece out [m]; default: the extent
             in the file's header. The world starts at whole multiples of `cell`.
-        max_gap: gaps without any return that are wider than this are most likely water: interpolated,
-            but UNKNOWN, so that nobody lands there [m].
+        max_gap: gaps without any return that are wider than this are most likely water:
+            interpolated, but UNKNOWN, so that nobody lands there [m].
         crs: the CRS, where the file does not say.
         name: name of the world; default: the file name.
         attribution: the line that must stand beside every picture.
@@ -64,9 +64,9 @@ def read(
 
     Returns:
         A world whose ground is the mean of the ground returns per cell, interpolated where there is
-        none; whose surface is the highest return of a building, bridge, tree or other object in the
-        cell. Narrower gaps take after the cells around them, so that roofs have no holes. Cells with
-        something unclassified on them are UNKNOWN; low plants count as ground of their height.
+        none; whose surface is the highest return of a building, bridge, tree or other object in
+        the cell. Narrower gaps take after the cells around them, so that roofs have no holes. Cells
+        with something unclassified on them are UNKNOWN; low plants stand on open ground.
 
     Raises:
         ImportError: if laspy with lazrs is not installed.
@@ -183,7 +183,7 @@ class _Lattice:
     @staticmethod
     def around(path: Path, header: Any, cell: float, bounds: Bounds | None) -> "_Lattice":
         if bounds is None:
-            x0, y0, x1, y1 = *header.mins[:2], *header.maxs[:2]
+            (x0, y0), (x1, y1) = header.mins[:2], header.maxs[:2]
             source = f"{path}: the extent in the header"
         else:
             x0, y0, x1, y1 = bounds
@@ -219,7 +219,7 @@ class _Layers:
         x, y, z = (np.asarray(axis) for axis in (points.x, points.y, points.z))
         kind = np.asarray(points.classification)
         keep = ~np.isin(kind, _DROPPED) & ~np.asarray(points.withheld, dtype=bool)
-        keep &= np.isfinite(z)
+        keep &= (z >= HEIGHTS[0]) & (z <= HEIGHTS[1])
         i = np.floor((x - lattice.xmin) / lattice.cell)
         j = np.floor((y - lattice.ymin) / lattice.cell)
         inside = (i >= 0) & (i < lattice.shape[0]) & (j >= 0) & (j < lattice.shape[1])
