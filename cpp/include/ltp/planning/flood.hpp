@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// `Flood`: the set of cells that any planner could reach; the second opinion on a proof of
+// unreachability.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ltp/grid/neighbourhood.hpp"
+#include "ltp/grid/occupancy_grid.hpp"
+
+namespace ltp {
+
+/// Since a diagonal step needs every cell of its bounding box free, what 26 neighbours reach six
+/// reach too: a flood over faces, a whole bit column at a time. It shares nothing with the
+/// planners' searches.
+class Flood {
+ public:
+  /// Fills from a cell, which counts as free itself, over the free cells of the levels. Throws
+  /// `std::invalid_argument` if the cell is outside the frame or the levels.
+  void fill(const OccupancyGrid& grid, const Cell& from, const LevelRange& levels);
+
+  bool reached(const Cell& cell) const;
+  /// Whether the fill came to the edge of the window: what lies beyond is unknown, so it proves
+  /// nothing.
+  bool touched_edge() const { return touched_edge_; }
+  std::int64_t count() const;  ///< cells reached
+
+ private:
+  std::vector<std::uint64_t> reached_;
+  std::vector<std::uint64_t> open_levels_;  ///< the levels that may be used, as one column
+  std::vector<std::uint32_t> queue_;        ///< columns with news to spread
+  std::vector<char> queued_;
+  int nx_ = 0;
+  int ny_ = 0;
+  int words_ = 0;
+  bool touched_edge_ = false;
+};
+
+}  // namespace ltp

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Floor 4 in Python: the local trajectory planner that flies.
+#include "bindings.hpp"
+#include "interrupt.hpp"
+#include "ltp/navigation/local_trajectory_planner.hpp"
+
+namespace {
+
+using Ltp = ltp::LocalTrajectoryPlanner;
+using Band = std::pair<double, double>;
+
+std::unique_ptr<Ltp> make(const std::string& planner, const ltp::Raster& priority,
+                          const ltp::Point& position, const ltp::PlannerOptions& planner_options,
+                          const ltp::ObstacleMapOptions& map_options,
+                          const ltp::NavigationOptions& options) {
+  ltp::check::finite("position", position);
+  return std::make_unique<Ltp>(ltp::make_planner(planner, planner_options), map_options, options,
+                               priority, position);
+}
+
+ltp::NavigationStatus update(Ltp& self, const ltp::Point& position) {
+  ltp::NavigationStatus status;
+  {
+    const py::gil_scoped_release release;
+    status = self.update(position, signal_pending);
+  }
+  raise_pending_signal();
+  return status;
+}
+
+}  // namespace
+
+void bind_navigation(py::module_& m) {
+  auto options = py::class_<ltp::NavigationOptions>(
+      m, "NavigationOptions", "When a way-point is reached, a path left, a height allowed.");
+  options.def(py::init(&from_keywords<ltp::NavigationOptions>))
+      .def_property(
+          "band", [](const ltp::NavigationOptions& o) { return Band(o.band.below, o.band.above); },
+          [](ltp::NavigationOptions& o, const Band& band) {
+            o.band = {band.first, band.second};
+          },
+          "(below, above): how far to leave the altitudes of UAV and way-point [m]; (0, 0) is "
+          "planar flight")
+      .def_readwrite(
+          "reach_distance", &ltp::NavigationOptions::reach_distance,
+          "a way-point is reached within it, horizontally [m]; 0: one horizontal cell diagonal")
+      .def_readwrite(
+          "leave_distance", &ltp::NavigationOptions::leave_distance,
+          "farther from its path the UAV has left it [m]; 0: one horizontal cell diagonal")
+      .def_readwrite("escape_distance", &ltp::NavigationOptions::escape_distance,
+                     "how far to look for a free cell when standing in a blocked one [m]");
+  list_fields(options, {"band", "reach_distance", "leave_distance", "escape_distance"});
+
+  py::enum_<ltp::NavigationStatus>(m, "NavigationStatus",
+                                   "What the local trajectory planner is doing.")
+      .value("FINISHED", ltp::NavigationStatus::Finished, "no way-point is left")
+      .value("FOLLOWING", ltp::NavigationStatus::Following, "there is a path to follow")
+      .value("ESCAPING", ltp::NavigationStatus::Escaping,
+             "leaving a blocked cell by the nearest free one")
+      .value("HOLDING", ltp::NavigationStatus::Holding, "no path and no proof: stay")
+      .def_property_readonly("label",
+                             [](ltp::NavigationStatus status) { return ltp::to_string(status); });
+
+  auto event = py::class_<ltp::WayPointEvent>(m, "WayPointEvent", "What became of a way-point.");
+  event.def_readonly("index", &ltp::WayPointEvent::index)
+      .def_readonly("reached", &ltp::WayPointEvent::reached, "True: reached; False: dropped")
+      .def_readonly("reason", &ltp::WayPointEvent::reason,
+                    "why it was dropped: GOAL_BLOCKED or UNREACHABLE")
+      .def_readonly("position", &ltp::WayPointEvent::position, "(3,), of the UAV [m]")
+      .def_readonly("goal", &ltp::WayPointEvent::goal, "(3,), the way-point [m]")
+      .def_readonly("window_origin", &ltp::WayPointEvent::window_origin,
+                    "(3,), of the map's window [m]");
+  list_fields(event, {"index", "reached", "reason", "position", "goal", "window_origin"});
+
+  py::class_<Ltp>(m, "LocalTrajectoryPlanner",
+                  "The loop that flies: way-points, scans and poses in; plan and status out. "
+                  "Replans when the path is\n"
+                  "blocked, left, or its way-point retired; drops a way-point only on proof.")
+      .def(py::init(&make), "planner"_a, "priority"_a, "position"_a, py::kw_only(),
+           "planner_options"_a = ltp::PlannerOptions{}, "map_options"_a = ltp::ObstacleMapOptions{},
+           "options"_a = ltp::NavigationOptions{},
+           "planner: a name of `planner_names()`. priority: Raster in [0, 1]. position: (3,) [m].")
+      .def("set_way_points", &Ltp::set_way_points, "way_points"_a,
+           "Replaces what is left of the global path; (N, 3), world [m].")
+      .def("set_priority", &Ltp::set_priority, "priority"_a)
+      .def("sense", &Ltp::sense, "origin"_a, "hits"_a, "misses"_a = ltp::Path(0, 3),
+           py::call_guard<py::gil_scoped_release>(),
+           "Adds a scan: where its rays began (3,), where they hit (N, 3), and, for carving, where "
+           "those without a\n"
+           "return ended (M, 3); world [m].")
+      .def("update", &update, "position"_a, "Decides what to do at a position (3,) [m].")
+      .def_property_readonly("status", &Ltp::status)
+      .def_property_readonly("path", &Ltp::path, py::return_value_policy::copy,
+                             "(N, 3), the path to follow [m]")
+      .def_property_readonly("plan", &Ltp::plan, py::return_value_policy::copy,
+                             "the planner's last answer")
+      .def_property_readonly("plans_made", &Ltp::plans_made)
+      .def_property_readonly("direct_length", &Ltp::direct_length, "L_direct of the last query [m]")
+      .def_property_readonly("events", &Ltp::events, py::return_value_policy::copy,
+                             "reached and dropped way-points, in order")
+      .def_property_readonly("way_point_index", &Ltp::way_point_index, "the way-point flown to")
+      .def_property_readonly("way_points", &Ltp::way_points, py::return_value_policy::copy)
+      .def_property_readonly("map", py::overload_cast<>(&Ltp::map),
+                             py::return_value_policy::reference_internal);
+}

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Floor 3 in Python: planners, what goes into them and what comes out.
+#include <mutex>
+
+#include "bindings.hpp"
+#include "interrupt.hpp"
+#include "ltp/planning/flood.hpp"
+#include "ltp/planning/planner.hpp"
+
+namespace {
+
+/// A planner keeps scratch memory, and `plan` lets other threads run: they take turns.
+class SharedPlanner {
+ public:
+  SharedPlanner(const std::string& name, const ltp::PlannerOptions& options)
+      : planner_(ltp::make_planner(name, options)) {}
+
+  const ltp::Planner& planner() const { return *planner_; }
+
+  ltp::Plan plan(const ltp::Scene& scene, ltp::Query query) {
+    query.interrupted = signal_pending;
+    ltp::Plan plan;
+    {
+      const py::gil_scoped_release release;
+      const std::lock_guard<std::mutex> turn(turn_);
+      plan = planner_->plan(scene, query);
+    }
+    raise_pending_signal();
+    return plan;
+  }
+
+ private:
+  std::unique_ptr<ltp::Planner> planner_;
+  std::mutex turn_;
+};
+
+using Band = std::pair<double, double>;
+
+ltp::AltitudeBand band_of(const Band& band) { return {band.first, band.second}; }
+
+ltp::Query make_query(const ltp::Point& start, const ltp::Point& goal, const Band& band) {
+  return {start, goal, band_of(band), nullptr};
+}
+
+void bind_values(py::module_& m) {
+  py::class_<ltp::Scene>(m, "Scene",
+                         "What a planner may look at: obstacles and priority. Keeps both alive.")
+      .def(py::init([](const ltp::OccupancyGrid& occupancy, const ltp::Raster& priority) {
+             return ltp::Scene{occupancy, priority};
+           }),
+           "occupancy"_a, "priority"_a, py::keep_alive<1, 2>(), py::keep_alive<1, 3>());
+
+  py::class_<ltp::Query>(
+      m, "Query", "From where to where, and how far the path may leave the altitudes between.")
+      .def(py::init(&make_query), "start"_a, "goal"_a,
+           "band"_a = Band(std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::infinity()),
+           "start, goal: (3,), world [m]. band: (below, above), how far the path may go under the "
+           "lower and over the\n"
+           "higher of both ends [m], >= 0; (0, 0) is planar flight, the default is open to the "
+           "whole window.")
+      .def_readonly("start", &ltp::Query::start)
+      .def_readonly("goal", &ltp::Query::goal)
+      .def_property_readonly(
+          "band", [](const ltp::Query& query) { return Band(query.band.below, query.band.above); });
+
+  py::enum_<ltp::PlanStatus>(m, "PlanStatus", "How a plan ended.")
+      .value("FOUND", ltp::PlanStatus::Found)
+      .value("OUTSIDE_MAP", ltp::PlanStatus::OutsideMap, "start or goal lies beyond the window")
+      .value("START_BLOCKED", ltp::PlanStatus::StartBlocked)
+      .value("GOAL_BLOCKED", ltp::PlanStatus::GoalBlocked)
+      .value("UNREACHABLE", ltp::PlanStatus::Unreachable,
+             "proved: no free path exists on this grid")
+      .value("NONE_FOUND", ltp::PlanStatus::NoneFound, "gave up without proof")
+      .value("OUT_OF_BUDGET", ltp::PlanStatus::OutOfBudget, "the caller's limit was reached first");
+
+  auto stats = py::class_<ltp::SearchStats>(m, "SearchStats", "What a search did.");
+  stats.def_readonly("expanded", &ltp::SearchStats::expanded, "cells (or curves) examined")
+      .def_readonly("pushed", &ltp::SearchStats::pushed, "entries that went into the open list")
+      .def_readonly("seconds", &ltp::SearchStats::seconds, "wall time [s]");
+  list_fields(stats, {"expanded", "pushed", "seconds"});
+
+  auto plan = py::class_<ltp::Plan>(m, "Plan", "A planner's answer.");
+  plan.def_readonly("status", &ltp::Plan::status)
+      .def_readonly("path", &ltp::Plan::path,
+                    "(N, 3), start ... goal, world [m]; empty unless FOUND")
+      .def_readonly("tally", &ltp::Plan::tally, "length and priority integral of the path")
+      .def_readonly("penalty", &ltp::Plan::penalty, "Eq. (5); inf unless FOUND")
+      .def_readonly("bound", &ltp::Plan::bound,
+                    "no path has a smaller penalty; None without a proof")
+      .def_readonly("stats", &ltp::Plan::stats);
+  list_fields(plan, {"status", "tally", "penalty", "bound", "stats"});
+}
+
+void bind_options(py::module_& m) {
+  auto bezier =
+      py::class_<ltp::BezierOptions>(m, "BezierOptions", "The Bezier planner's exhaustive search.");
+  bezier.def(py::init(&from_keywords<ltp::BezierOptions>))
+      .def_readwrite("offsets", &ltp::BezierOptions::offsets,
+                     "M, offsets tried for each control point; odd")
+      .def_readwrite("reach", &ltp::BezierOptions::reach, "largest sideways offset [m]")
+      .def_readwrite("z_offsets", &ltp::BezierOptions::z_offsets, "offsets tried in height; odd")
+      .def_readwrite("z_reach", &ltp::BezierOptions::z_reach, "largest offset in height [m]")
+      .def_readwrite("segments", &ltp::BezierOptions::segments, "straight pieces of the curve");
+  list_fields(bezier, {"offsets", "reach", "z_offsets", "z_reach", "segments"});
+
+  auto options =
+      py::class_<ltp::PlannerOptions>(m, "PlannerOptions", "What every planner can be told.");
+  options.def(py::init(&from_keywords<ltp::PlannerOptions>))
+      .def_property(
+          "length_weight", [](const ltp::PlannerOptions& o) { return o.weights.length; },
+          [](ltp::PlannerOptions& o, double value) { o.weights.length = value; }, "W_L of Eq. (5)")
+      .def_property(
+          "priority_weight", [](const ltp::PlannerOptions& o) { return o.weights.priority; },
+          [](ltp::PlannerOptions& o, double value) { o.weights.priority = value; },
+          "W_P of Eq. (5)")
+      .def_readwrite("max_expansions", &ltp::PlannerOptions::max_expansions,
+                     "give up (OUT_OF_BUDGET) after so many; 0: no limit")
+      .def_readwrite("scaled_heuristic", &ltp::PlannerOptions::scaled_heuristic,
+                     "multiply Eq. (9) by W_L, which it lacks as printed")
+      .def_readwrite("bezier", &ltp::PlannerOptions::bezier);
+  list_fields(options,
+              {"length_weight", "priority_weight", "max_expansions", "scaled_heuristic", "bezier"});
+}
+
+/// The cells that a flood over faces reaches from a point, bool (nx, ny, nz).
+py::array_t<bool> flood_fill(const ltp::OccupancyGrid& grid, const ltp::Query& query) {
+  const ltp::GridFrame& frame = grid.frame();
+  ltp::Flood flood;
+  flood.fill(grid, frame.cell_of(query.start), ltp::levels_of(frame, query));
+  py::array_t<bool> out({frame.nx(), frame.ny(), frame.nz()});
+  auto reached = out.mutable_unchecked<3>();
+  for (int ix = 0; ix < frame.nx(); ++ix) {
+    for (int iy = 0; iy < frame.ny(); ++iy) {
+      for (int iz = 0; iz < frame.nz(); ++iz) reached(ix, iy, iz) = flood.reached({ix, iy, iz});
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+void bind_planning(py::module_& m) {
+  bind_values(m);
+  bind_options(m);
+  py::class_<SharedPlanner>(m, "Planner", "A local planner; made by `make_planner`.")
+      .def(py::init<const std::string&, const ltp::PlannerOptions&>(), "name"_a,
+           "options"_a = ltp::PlannerOptions{})
+      .def_property_readonly("name",
+                             [](const SharedPlanner& self) { return self.planner().name(); })
+      .def_property_readonly(
+          "complete", [](const SharedPlanner& self) { return self.planner().complete(); },
+          "whether its failure proves that no path exists")
+      .def("plan", &SharedPlanner::plan, "scene"_a, "query"_a,
+           "Plans a path. Lets other threads run; Ctrl-C interrupts it. ValueError for a query "
+           "that is not finite.");
+  m.def("planner_names", &ltp::planner_names,
+        "The planners' names, in the order of the paper's tables.");
+  m.def("flood_fill", &flood_fill, "grid"_a, "query"_a,
+        "bool (nx, ny, nz): the cells that any planner could reach from the query's start within "
+        "its band, by a flood\n"
+        "that shares nothing with the planners. ValueError if the start is outside the grid.");
+}

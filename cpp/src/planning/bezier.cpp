@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltp/planning/bezier.hpp"
+
+#include <limits>
+
+#include "ltp/planning/stopwatch.hpp"
+
+namespace ltp {
+namespace {
+
+/// The i-th of `count` offsets spread evenly over [-reach, reach]; the middle one is 0.
+double offset(int i, int count, double reach) {
+  return count > 1 ? reach * (2.0 * i / (count - 1) - 1.0) : 0.0;
+}
+
+}  // namespace
+
+BezierPlanner::BezierPlanner(const PlannerOptions& options)
+    : options_(options),
+      basis_(options.bezier.segments + 1, 3),
+      curve_(options.bezier.segments + 1, 3) {
+  options.check();
+  for (int i = 0; i < basis_.rows(); ++i) {
+    const double s = static_cast<double>(i) / options.bezier.segments;
+    const double r = 1.0 - s;
+    basis_.row(i) << 3.0 * r * r * s, 3.0 * r * s * s, s * s * s;  // Eq. (6)
+  }
+}
+
+void BezierPlanner::draw(const Query& query, double first, double second, double height) {
+  const Point direct = query.goal - query.start;
+  const Eigen::Vector2d plane = direct.head<2>();
+  // Straight up there is no sideways; east is as good as any.
+  const Eigen::Vector2d side = plane.norm() > 0.0
+                                   ? Eigen::Vector2d(-plane.y(), plane.x()).normalized()
+                                   : Eigen::Vector2d(1, 0);
+  const Point up(0.0, 0.0, height);
+  // All relative to P0, whose weight is therefore not needed.
+  Eigen::Matrix3d control;
+  control.row(0) = (direct / 3.0 + first * Point(side.x(), side.y(), 0.0) + up).transpose();
+  control.row(1) =
+      (direct * (2.0 / 3.0) + second * Point(side.x(), side.y(), 0.0) + up).transpose();
+  control.row(2) = direct.transpose();
+  curve_.noalias() = basis_ * control;
+  curve_.rowwise() += query.start.transpose();
+  curve_.row(0) = query.start.transpose();
+  curve_.row(curve_.rows() - 1) = query.goal.transpose();
+}
+
+bool BezierPlanner::inside(const GridFrame& frame, const LevelRange& levels) const {
+  for (Eigen::Index i = 0; i < curve_.rows(); ++i) {
+    const Cell cell = frame.cell_of(curve_.row(i).transpose());
+    if (!frame.contains(cell) || cell.z() < levels.lowest || cell.z() > levels.highest)
+      return false;
+  }
+  return true;
+}
+
+Plan BezierPlanner::plan(const Scene& scene, const Query& query) {
+  const Stopwatch watch;
+  const BezierOptions& options = options_.bezier;
+  Plan plan;
+  const auto [refused, cells] = resolve(scene, query);
+  plan.status = refused.value_or(PlanStatus::NoneFound);
+  if (!refused) {
+    const Penalty penalty(options_.weights, cells.direct_length);
+    const double goal_priority = scene.priority.at(query.goal.x(), query.goal.y());
+    double best = std::numeric_limits<double>::infinity();
+    Path path;
+    bool stopped = false;
+    for (int k = 0; k < options.z_offsets && !stopped; ++k) {
+      for (int i = 0; i < options.offsets && !stopped; ++i) {
+        for (int j = 0; j < options.offsets && !stopped; ++j) {
+          // Curves are few and dear: the caller is asked at each one.
+          stopped =
+              (options_.max_expansions > 0 && plan.stats.expanded >= options_.max_expansions) ||
+              (query.interrupted && (plan.stats.expanded & 255) == 255 && query.interrupted());
+          if (stopped) break;
+          ++plan.stats.expanded;
+          draw(query, offset(i, options.offsets, options.reach),
+               offset(j, options.offsets, options.reach),
+               offset(k, options.z_offsets, options.z_reach));
+          const double cost = penalty(tally(curve_, scene.priority), goal_priority);  // Eq. (7)
+          if (cost >= best || !inside(scene.occupancy.frame(), cells.levels) ||
+              scene.occupancy.first_blocked(curve_)) {
+            continue;
+          }
+          best = cost;
+          path = curve_;
+        }
+      }
+    }
+    if (stopped) {
+      plan.status = PlanStatus::OutOfBudget;
+    } else if (path.rows() > 0) {
+      accept(scene, query, cells, options_.weights, std::move(path), plan);
+    }
+  }
+  plan.stats.seconds = watch.seconds();
+  return plan;
+}
+
+}  // namespace ltp

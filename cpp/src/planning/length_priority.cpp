@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltp/planning/length_priority.hpp"
+
+#include "ltp/geometry/check.hpp"
+#include "ltp/planning/stopwatch.hpp"
+
+namespace ltp {
+
+LengthPriorityPlanner::LengthPriorityPlanner(std::string name, double heuristic_weight,
+                                             const PlannerOptions& options)
+    : name_(std::move(name)), heuristic_weight_(heuristic_weight), options_(options) {
+  options.check();
+  check::not_negative("heuristic_weight", heuristic_weight);
+}
+
+Plan LengthPriorityPlanner::plan(const Scene& scene, const Query& query) {
+  const Stopwatch watch;
+  Plan plan;
+  const auto [refused, cells] = resolve(scene, query);
+  plan.status = refused ? *refused : search(scene, query, cells, plan.stats);
+  if (plan.status == PlanStatus::Found) {
+    Path path = path_through(scene.occupancy.frame(), query, chain(cells));
+    accept(scene, query, cells, options_.weights, std::move(path), plan);
+  }
+  plan.stats.seconds = watch.seconds();
+  return plan;
+}
+
+PlanStatus LengthPriorityPlanner::search(const Scene& scene, const Query& query,
+                                         const GridQuery& cells, SearchStats& stats) {
+  const GridFrame& frame = scene.occupancy.frame();
+  const std::array<double, kSteps> lengths = step_lengths(frame.cell());
+  const Penalty penalty(options_.weights, cells.direct_length);
+  const Budget budget(options_.max_expansions, query.interrupted);
+  priority_.reset(frame, scene.priority);
+  space_.begin(frame, cells.levels);
+  open_.clear();
+
+  // Eq. (9), times W_A* of Eq. (10). As printed it lacks the factor W_L of the length that it
+  // estimates.
+  const double scale = options_.scaled_heuristic ? options_.weights.length : 1.0;
+  const double per_metre =
+      cells.direct_length > 0.0 ? heuristic_weight_ * scale / cells.direct_length : 0.0;
+  const auto heuristic = [&](const Cell& cell) {
+    return per_metre * (frame.centre(cell) - query.start).norm();
+  };
+  // Eq. (8): the penalty of the path from a cell to the goal.
+  const double goal_priority = priority_(cells.goal.x(), cells.goal.y());
+  const auto g = [&](const Node& node) {
+    return penalty(node.length, node.priority, goal_priority);
+  };
+
+  const std::uint32_t start = space_.index(cells.start);
+  const std::uint32_t goal = space_.index(cells.goal);
+  space_.visit(goal).labelled = true;
+  open_.push({g(space_[goal]) + heuristic(cells.goal), heuristic(cells.goal), goal});
+  ++stats.pushed;
+
+  while (!open_.empty()) {
+    const std::uint32_t index = open_.pop().cell;
+    Node& node = space_.visit(index);
+    if (node.closed) continue;  // stale: the cell was labelled better and expanded since
+    node.closed = true;
+    ++stats.expanded;
+    if (index == start) return PlanStatus::Found;
+    if (budget.spent(stats.expanded)) return PlanStatus::OutOfBudget;
+
+    const Cell cell = space_.cell(index);
+    const double here = priority_(cell.x(), cell.y());
+    const std::uint32_t blocked = blocked_surroundings(scene.occupancy, cell, cells.levels);
+    for (int i = 0; i < kSteps; ++i) {
+      const Step& step = steps()[i];
+      if (blocked & step.box) continue;  // Eq. (1), and no squeezing between blocked cells
+      const Cell next = cell + Cell(step.dx, step.dy, step.dz);
+      const std::uint32_t next_index = space_.index(next);
+      Node& other = space_.visit(next_index);
+      if (other.closed) continue;
+      Node label = other;
+      label.length = node.length + lengths[i];
+      label.priority = node.priority + 0.5 * lengths[i] * (here + priority_(next.x(), next.y()));
+      const double cost = g(label);
+      if (other.labelled && cost >= g(other)) continue;
+      label.labelled = true;
+      label.to_goal = step.opposite;
+      other = label;
+      const double h = heuristic(next);
+      open_.push({cost + h, h, next_index});  // Eq. (10)
+      ++stats.pushed;
+    }
+  }
+  return PlanStatus::Unreachable;
+}
+
+std::vector<Cell> LengthPriorityPlanner::chain(const GridQuery& cells) const {
+  std::vector<Cell> chain{cells.start};
+  while (chain.back() != cells.goal) {
+    const Step& step = steps()[space_[space_.index(chain.back())].to_goal];
+    chain.push_back(chain.back() + Cell(step.dx, step.dy, step.dz));
+  }
+  return chain;
+}
+
+}  // namespace ltp

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The planners by name, and what their options and queries must satisfy.
+#include "ltp/planning/planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ltp/geometry/check.hpp"
+#include "ltp/planning/bezier.hpp"
+#include "ltp/planning/length_priority.hpp"
+#include "ltp/planning/wavefront.hpp"
+
+namespace ltp {
+namespace {
+
+using Maker = std::unique_ptr<Planner> (*)(std::string_view, const PlannerOptions&);
+
+struct Entry {
+  std::string_view name;
+  Maker make;
+};
+
+template <int kHeuristicWeightSquared>
+std::unique_ptr<Planner> length_priority(std::string_view name, const PlannerOptions& options) {
+  return std::make_unique<LengthPriorityPlanner>(
+      std::string(name), std::sqrt(double{kHeuristicWeightSquared}), options);
+}
+
+template <typename Kind>
+std::unique_ptr<Planner> plain(std::string_view, const PlannerOptions& options) {
+  return std::make_unique<Kind>(options);
+}
+
+constexpr Entry kPlanners[] = {
+    {"lp-dijkstra", length_priority<0>},  // W_A* = 0
+    {"lp-a-star", length_priority<1>},    // W_A* = 1
+    {"wlp-a-star", length_priority<3>},   // W_A* = sqrt(3)
+    {"ggwp", plain<WavefrontPlanner>},   {"bezier", plain<BezierPlanner>},
+};
+
+void odd(const std::string& name, int value) {
+  if (value < 1 || value % 2 == 0) check::fail(name, value, "an odd number >= 1");
+}
+
+}  // namespace
+
+std::string_view to_string(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::Found:
+      return "found";
+    case PlanStatus::OutsideMap:
+      return "outside_map";
+    case PlanStatus::StartBlocked:
+      return "start_blocked";
+    case PlanStatus::GoalBlocked:
+      return "goal_blocked";
+    case PlanStatus::Unreachable:
+      return "unreachable";
+    case PlanStatus::NoneFound:
+      return "none_found";
+    case PlanStatus::OutOfBudget:
+      return "out_of_budget";
+  }
+  return "unknown";
+}
+
+void PlannerOptions::check() const {
+  weights.check();
+  if (max_expansions < 0) check::fail("max_expansions", max_expansions, "a number >= 0");
+  odd("bezier.offsets", bezier.offsets);
+  odd("bezier.z_offsets", bezier.z_offsets);
+  check::positive("bezier.reach", bezier.reach);
+  check::not_negative("bezier.z_reach", bezier.z_reach);
+  if (bezier.segments < 2) check::fail("bezier.segments", bezier.segments, "a number >= 2");
+}
+
+LevelRange levels_of(const GridFrame& frame, const Query& query) {
+  const double low = std::min(query.start.z(), query.goal.z()) - query.band.below;
+  const double high = std::max(query.start.z(), query.goal.z()) + query.band.above;
+  const auto level = [&](double z) {
+    if (z <= frame.origin().z()) return 0;  // an open band has no cell of its own
+    if (z >= frame.upper().z()) return frame.nz() - 1;
+    return std::clamp(frame.cell_of(Point(query.start.x(), query.start.y(), z)).z(), 0,
+                      frame.nz() - 1);
+  };
+  return {level(low), level(high)};
+}
+
+const std::vector<std::string_view>& planner_names() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all;
+    for (const Entry& entry : kPlanners) all.push_back(entry.name);
+    return all;
+  }();
+  return names;
+}
+
+std::unique_ptr<Planner> make_planner(std::string_view name, const PlannerOptions& options) {
+  std::string known;
+  for (const Entry& entry : kPlanners) {
+    if (entry.name == name) return entry.make(name, options);
+    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  check::fail("planner", "'" + std::string(name) + "'", ("one of " + known).c_str());
+}
+
+}  // namespace ltp
