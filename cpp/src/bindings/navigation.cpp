@@ -93,12 +93,14 @@ void bind_navigation(py::module_& m) {
       .def_property_readonly("status", &Ltp::status)
       .def_property_readonly("path", &Ltp::path, py::return_value_policy::copy,
                              "(N, 3), the path to follow [m]")
+      .def_property_readonly("path_id", &Ltp::path_id, "as long as it stands, so does `path`")
       .def_property_readonly("plan", &Ltp::plan, py::return_value_policy::copy,
                              "the planner's last answer")
       .def_property_readonly("plans_made", &Ltp::plans_made)
       .def_property_readonly("direct_length", &Ltp::direct_length, "L_direct of the last query [m]")
       .def_property_readonly("events", &Ltp::events, py::return_value_policy::copy,
                              "reached and dropped way-points, in order")
+      .def_property_readonly("events_count", [](const Ltp& self) { return self.events().size(); })
       .def_property_readonly("way_point_index", &Ltp::way_point_index, "the way-point flown to")
       .def_property_readonly("way_points", &Ltp::way_points, py::return_value_policy::copy)
       .def_property_readonly("map", py::overload_cast<>(&Ltp::map),

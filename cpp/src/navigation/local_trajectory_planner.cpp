@@ -15,7 +15,6 @@ namespace {
 
 double horizontal_diagonal(const GridFrame& frame) { return frame.cell().head<2>().norm(); }
 
-/// The half-open band's levels, and whether the window rather than the band ends them.
 bool same_cell(const GridFrame& frame, const Point& a, const Point& b) {
   return frame.cell_of(a) == frame.cell_of(b);
 }
@@ -68,14 +67,14 @@ void LocalTrajectoryPlanner::set_way_points(const PathRef& way_points) {
   next_ = 0;
   events_.clear();
   events_.reserve(way_points.rows());
-  path_.resize(0, 3);
+  give_up_path();
   status_ = finished() ? NavigationStatus::Finished : NavigationStatus::Holding;
   map_changed_ = true;
 }
 
 void LocalTrajectoryPlanner::set_priority(Raster priority) {
   priority_ = std::move(priority);
-  path_.resize(0, 3);  // the plan was made for the old one
+  give_up_path();  // it was made for the old one
   map_changed_ = true;
 }
 
@@ -93,7 +92,6 @@ NavigationStatus LocalTrajectoryPlanner::update(const Point& position,
   map_.recentre(position);
   take_reached(position);
   if (finished()) {
-    if (path_.rows() > 0) path_.resize(0, 3);
     return status_ = NavigationStatus::Finished;
   }
   if (must_replan(position)) replan(position, interrupted);
@@ -106,7 +104,7 @@ void LocalTrajectoryPlanner::retire(bool reached, PlanStatus reason, const Point
       {next_, reached, reason, position, way_point(next_), map_.blocked().frame().origin()});
   leg_begin_ = way_point(next_);
   ++next_;
-  path_.resize(0, 3);
+  give_up_path();
 }
 
 void LocalTrajectoryPlanner::take_reached(const Point& position) {
@@ -136,18 +134,24 @@ bool LocalTrajectoryPlanner::must_replan(const Point& position) {
   return map_.blocked().first_blocked(path_, progress_).has_value();
 }
 
+void LocalTrajectoryPlanner::give_up_path() {
+  path_.resize(0, 3);
+  ++path_id_;
+}
+
 void LocalTrajectoryPlanner::follow(NavigationStatus status, const Path& path,
                                     const Point& target) {
   status_ = status;
   path_ = path;
   target_ = target;
   progress_ = 0.0;
+  ++path_id_;
 }
 
 void LocalTrajectoryPlanner::replan(const Point& position,
                                     const std::function<bool()>& interrupted) {
   const GridFrame& frame = map_.blocked().frame();
-  path_.resize(0, 3);
+  give_up_path();
   map_changed_ = false;
   while (!finished()) {
     const Point goal = way_point(next_);

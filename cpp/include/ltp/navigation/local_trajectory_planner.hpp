@@ -81,6 +81,8 @@ class LocalTrajectoryPlanner {
   /// The path to follow, beginning where the UAV was when it was made, shape (N, 3) [m]; empty when
   /// there is none.
   const Path& path() const { return path_; }
+  /// Counts the paths taken up and given up: as long as it stands, so does `path()`.
+  std::int64_t path_id() const { return path_id_; }
   /// The planner's last answer, and how many it has given.
   const Plan& plan() const { return plan_; }
   /// The direct length of the last query [m].
@@ -108,6 +110,7 @@ class LocalTrajectoryPlanner {
   std::optional<Point> target_inside(const Point& position, const LevelRange& levels);
   std::optional<Point> escape_point(const Point& position) const;
   void follow(NavigationStatus status, const Path& path, const Point& target);
+  void give_up_path();
 
   std::unique_ptr<Planner> planner_;
   NavigationOptions options_;

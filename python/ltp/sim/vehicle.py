@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A point mass with limits on speed, acceleration and climb."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ltp.config import VehicleOptions
+
+
+class PointMass:
+    """Position and velocity of the UAV (world ENU) [m, m/s].
+
+    It moves in straight pieces, one a step, so that a flight can be checked exactly.
+    """
+
+    def __init__(self, position: NDArray[np.float64], options: VehicleOptions) -> None:
+        self.options = options
+        self.position = np.array(position, dtype=np.float64)
+        self.velocity = np.zeros(3)
+
+    def step(self, command: NDArray[np.float64], seconds: float) -> None:
+        """Move for one step towards a commanded velocity (3,) [m/s], within the limits."""
+        wanted = self._within_limits(command)
+        change = wanted - self.velocity
+        size = math.sqrt(change @ change)
+        most = self.options.max_acceleration * seconds
+        if size > most:
+            change *= most / size
+        self.velocity = self.velocity + change
+        self.position = self.position + self.velocity * seconds
+
+    def _within_limits(self, command: NDArray[np.float64]) -> NDArray[np.float64]:
+        wanted = np.array(command, dtype=np.float64)
+        # Slowed as a whole, so that the direction stays.
+        scale = 1.0
+        speed = math.sqrt(wanted @ wanted)
+        if speed > self.options.speed:
+            scale = self.options.speed / speed
+        climb = abs(float(wanted[2]))
+        if climb * scale > self.options.max_climb:
+            scale = self.options.max_climb / climb
+        return wanted * scale
