@@ -73,6 +73,12 @@ void bind_navigation(py::module_& m) {
                     "(3,), of the map's window [m]");
   list_fields(event, {"index", "reached", "reason", "position", "goal", "window_origin"});
 
+  auto answer = py::class_<ltp::PlanRecord>(m, "PlanRecord", "One answer of the planner.");
+  answer.def_readonly("way_point", &ltp::PlanRecord::way_point, "for which it was asked")
+      .def_readonly("direct_length", &ltp::PlanRecord::direct_length, "L_direct of the query [m]")
+      .def_readonly("plan", &ltp::PlanRecord::plan);
+  list_fields(answer, {"way_point", "direct_length", "plan"});
+
   py::class_<Ltp>(m, "LocalTrajectoryPlanner",
                   "The loop that flies: way-points, scans and poses in; plan and status out. "
                   "Replans when the path is\n"
@@ -94,12 +100,9 @@ void bind_navigation(py::module_& m) {
       .def_property_readonly("path", &Ltp::path, py::return_value_policy::copy,
                              "(N, 3), the path to follow [m]")
       .def_property_readonly("path_id", &Ltp::path_id, "as long as it stands, so does `path`")
-      .def_property_readonly("plan", &Ltp::plan, py::return_value_policy::copy,
-                             "the planner's last answer")
-      .def_property_readonly("plans_made", &Ltp::plans_made)
-      .def_property_readonly("direct_length", &Ltp::direct_length, "L_direct of the last query [m]")
-      .def_property_readonly("events", &Ltp::events, py::return_value_policy::copy,
-                             "reached and dropped way-points, in order")
+      .def_property_readonly("plans", &Ltp::plans, py::return_value_policy::copy,
+                             "the planner's answers when it was last asked")
+      .def_property_readonly("plans_made", &Ltp::plans_made, "since the beginning")
       .def_property_readonly("events_count", [](const Ltp& self) { return self.events().size(); })
       .def_property_readonly("way_point_index", &Ltp::way_point_index, "the way-point flown to")
       .def_property_readonly("way_points", &Ltp::way_points, py::return_value_policy::copy)

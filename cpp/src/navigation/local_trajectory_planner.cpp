@@ -152,6 +152,7 @@ void LocalTrajectoryPlanner::replan(const Point& position,
                                     const std::function<bool()>& interrupted) {
   const GridFrame& frame = map_.blocked().frame();
   give_up_path();
+  plans_.clear();
   map_changed_ = false;
   while (!finished()) {
     const Point goal = way_point(next_);
@@ -174,13 +175,14 @@ void LocalTrajectoryPlanner::replan(const Point& position,
       if (!target) break;
       query.goal = *target;
     }
-    plan_ = planner_->plan({map_.blocked(), priority_}, query);
-    direct_length_ = (query.goal - query.start).norm();
+    plans_.push_back({next_, (query.goal - query.start).norm(),
+                      planner_->plan({map_.blocked(), priority_}, query)});
     ++plans_made_;
-    if (plan_.status == PlanStatus::Found) {
-      return follow(NavigationStatus::Following, plan_.path, query.goal);
+    const Plan& plan = plans_.back().plan;
+    if (plan.status == PlanStatus::Found) {
+      return follow(NavigationStatus::Following, plan.path, query.goal);
     }
-    const bool claimed = plan_.status == PlanStatus::Unreachable && planner_->complete();
+    const bool claimed = plan.status == PlanStatus::Unreachable && planner_->complete();
     if (stopover_ || !claimed || !proved_unreachable(position, goal)) break;
     retire(false, PlanStatus::Unreachable, position);
   }

@@ -38,7 +38,7 @@ class FlightLog:
         self._note_events(time)
         if planner.plans_made != self._plans_made:
             self._plans_made = planner.plans_made
-            self._note_plan(time)
+            self._note_plans(time)
         self._times.append(time)
         self._positions.append(vehicle.position)
         self._velocities.append(vehicle.velocity)
@@ -48,22 +48,23 @@ class FlightLog:
         self._path_id = planner.path_id
         return changed
 
-    def _note_plan(self, time: float) -> None:
-        plan = self._planner.plan
-        self._plans.append(
-            PlanEntry(
-                time=time,
-                way_point=self._planner.way_point_index,
-                status=plan.status.name.lower(),
-                path=plan.path,
-                penalty=plan.penalty,
-                length=plan.tally.length,
-                priority=plan.tally.priority,
-                direct_length=self._planner.direct_length,
-                expanded=plan.stats.expanded,
-                seconds=plan.stats.seconds,
+    def _note_plans(self, time: float) -> None:
+        for answer in self._planner.plans:
+            plan = answer.plan
+            self._plans.append(
+                PlanEntry(
+                    time=time,
+                    way_point=answer.way_point,
+                    status=plan.status.name.lower(),
+                    path=plan.path,
+                    penalty=plan.penalty,
+                    length=plan.tally.length,
+                    priority=plan.tally.priority,
+                    direct_length=answer.direct_length,
+                    expanded=plan.stats.expanded,
+                    seconds=plan.stats.seconds,
+                )
             )
-        )
 
     def _note_events(self, time: float) -> None:
         if self._planner.events_count == len(self._events):

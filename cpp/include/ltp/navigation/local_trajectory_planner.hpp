@@ -51,6 +51,13 @@ struct WayPointEvent {
   Point window_origin = Point::Zero();  ///< lowest corner of the map's window [m]
 };
 
+/// One answer of the planner.
+struct PlanRecord {
+  int way_point = 0;           ///< for which it was asked
+  double direct_length = 0.0;  ///< L_direct of the query [m]
+  Plan plan;
+};
+
 /// Holds the map, the way-points and the plan. Replans when the path is blocked, when a way-point
 /// is reached or dropped, when the UAV has left its path; never on a clock. Drops a way-point only
 /// on proof: its cell is blocked, or a complete planner found no path and a flood from the
@@ -83,11 +90,10 @@ class LocalTrajectoryPlanner {
   const Path& path() const { return path_; }
   /// Counts the paths taken up and given up: as long as it stands, so does `path()`.
   std::int64_t path_id() const { return path_id_; }
-  /// The planner's last answer, and how many it has given.
-  const Plan& plan() const { return plan_; }
-  /// The direct length of the last query [m].
-  double direct_length() const { return direct_length_; }
-  std::int64_t plans_made() const { return plans_made_; }
+  /// The planner's answers when it was last asked: one, or more where way-points were dropped on
+  /// the way.
+  const std::vector<PlanRecord>& plans() const { return plans_; }
+  std::int64_t plans_made() const { return plans_made_; }  ///< since the beginning
   /// Reached and dropped way-points, in order, since `set_way_points`.
   const std::vector<WayPointEvent>& events() const { return events_; }
   int way_point_index() const {
@@ -127,9 +133,9 @@ class LocalTrajectoryPlanner {
       Point::Zero();          ///< the end of `path_`: a way-point, or a stopover on the way to it
   bool stopover_ = false;     ///< whether `target_` is not the way-point itself
   double progress_ = 0.0;     ///< arc length of `path_` already flown [m]
+  std::int64_t path_id_ = 0;
   bool map_changed_ = false;  ///< since the last plan
-  Plan plan_;
-  double direct_length_ = 0.0;
+  std::vector<PlanRecord> plans_;
   std::int64_t plans_made_ = 0;
   Flood flood_;
 };
