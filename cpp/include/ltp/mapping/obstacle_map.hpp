@@ -6,34 +6,16 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <string>
 
 #include "ltp/geometry/types.hpp"
 #include "ltp/grid/occupancy_grid.hpp"
+#include "ltp/mapping/carver.hpp"
+#include "ltp/mapping/inflation.hpp"
+#include "ltp/mapping/obstacle_map_options.hpp"
 
 namespace ltp {
-
-struct ObstacleMapOptions {
-  Point cell = Point(2, 2, 4);  ///< edges of a planning cell [m], multiples of the smallest one
-  std::array<int, 3> dims = {200, 200, 40};  ///< planning cells along x, y, z
-  double inflation_radius =
-      1.0;  ///< a cell any point of which is this near to an occupied cell is blocked [m]; 0: none
-  double max_range =
-      50.0;  ///< a hit at or beyond this distance from the scan's origin marks nothing [m]
-
-  bool carve_free_space = false;  ///< lower the log-odds of the voxels that rays pass through
-  /// A voxel that was ever hit stays occupied until it leaves the window, however many rays pass
-  /// it: a pole between two beams must not vanish. False lets log-odds erase it, for moving
-  /// obstacles. Only matters with carving.
-  bool keep_hits = true;
-  double hit_log_odds = 0.85;   ///< added to a voxel's log-odds by a hit (OctoMap's default)
-  double miss_log_odds = -0.4;  ///< added by a ray that passes (OctoMap's default), < 0
-  double min_log_odds = -2.0;   ///< clamping (OctoMap's default)
-  double max_log_odds = 3.5;    ///< clamping (OctoMap's default)
-
-  void check() const;
-};
 
 /// What became of a scan's points, and of the map.
 struct InsertStatistics {
@@ -47,50 +29,67 @@ struct InsertStatistics {
 
 /// Voxels (cubes of the planning cell's smallest edge) are the memory, planning cells the view: a
 /// cell is occupied if any voxel in it is, and blocked if it is within the inflation radius of an
-/// occupied one. Only the window round the UAV is kept. Insertion allocates nothing. OctoMap is the
-/// archive: files and interchange.
+/// occupied one. Only the window round the UAV is kept. OctoMap is the archive: files and
+/// interchange.
+///
+/// At any time `blocked() == inflate(occupied(), inflation_radius)`. Insertion and recentring
+/// allocate nothing. A copy is a snapshot that another thread may plan on.
 class ObstacleMap {
  public:
   /// A map whose window is centred on `centre` [m]; its lattice passes through the world's origin.
+  /// Throws `std::invalid_argument` that names the option.
   explicit ObstacleMap(const ObstacleMapOptions& options = {}, const Point& centre = Point::Zero());
-  ~ObstacleMap();
-  ObstacleMap(ObstacleMap&&) noexcept;
-  ObstacleMap& operator=(ObstacleMap&&) noexcept;
 
-  const ObstacleMapOptions& options() const;
-  const OccupancyGrid& occupied() const;  ///< planning cells with a hit in them
-  const OccupancyGrid& blocked() const;   ///< the same, inflated: what planners get
-  const OccupancyGrid& voxels() const;    ///< occupied voxels
-  double voxel_size() const;              ///< [m]
+  const ObstacleMapOptions& options() const { return options_; }
+  const OccupancyGrid& occupied() const {
+    return occupied_;
+  }  ///< planning cells with a hit in them
+  const OccupancyGrid& blocked() const {
+    return blocked_;
+  }  ///< the same, inflated: what planners get
+  const OccupancyGrid& voxels() const { return voxels_; }           ///< occupied voxels
+  double voxel_size() const { return voxels_.frame().cell().x(); }  ///< [m]
 
   /// Adds a scan: where its rays began, where they hit something, and where those without a return
   /// stopped being seen; world frame, shape (N, 3) [m]. Strange points never throw: they are
   /// counted. `misses` only matter with carving. Throws only for an `origin` that is not finite.
-  InsertStatistics insert(const Point& origin, const PathRef& hits, const PathRef& misses);
+  InsertStatistics insert(const Point& origin, const PathRef& hits,
+                          const PathRef& misses = Path(0, 3));
 
-  /// Moves the window so that it is centred on a point; cells that enter are unknown. Returns the
-  /// shift in cells.
+  /// Moves the window so that it is centred on a point; what leaves is forgotten, cells that enter
+  /// are unknown. Returns the shift in planning cells. Throws for a point that is not finite or
+  /// absurdly far.
   Cell recentre(const Point& centre);
+  /// Forgets everything.
   void clear();
 
-  /// Log-odds of the voxel at a point; 0 where nothing is known.
+  /// Log-odds of the voxel at a point; 0 where nothing is known. Without carving a voxel that was
+  /// hit has those of one hit.
   double log_odds_at(const Point& point) const;
 
-  /// Writes OctoMap's `.bt` (occupied or not) or `.ot` (log-odds), by the file's extension;
-  /// atomically.
+  /// Writes OctoMap's `.bt` (occupied or free) or `.ot` (log-odds), by the file's extension;
+  /// atomically. Without carving there are only occupied voxels in it.
   void save(const std::string& path) const;
-  /// Adds the occupied voxels of a `.bt` or `.ot` file that lie in the window. The file's
-  /// resolution must be the voxel size. Throws `std::invalid_argument` that names the file for
-  /// anything malformed; the map stays as it was.
+  /// Adds what a `.bt` or `.ot` file knows about the window: its occupied voxels and, with carving,
+  /// the free ones that the map knows nothing about. The file's resolution must be the voxel size.
+  /// Throws `std::invalid_argument` that names the file for anything malformed; the map then stays
+  /// as it was.
   void load(const std::string& path);
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
-};
+  Cell cell_of_voxel(const Cell& voxel) const;
+  bool any_voxel_in(const Cell& cell) const;
+  bool occupy_cell_of(const Cell& voxel);  ///< whether its planning cell was free before
 
-/// Marks in `out` every cell any point of which is within `radius` [m] of an occupied cell. Radius
-/// 0 copies.
-void inflate(const OccupancyGrid& occupied, double radius, OccupancyGrid& out);
+  double one_hit() const;  ///< the log-odds of a voxel hit once
+
+  ObstacleMapOptions options_;
+  std::array<int, 3> ratio_;  ///< voxels along a planning cell's edges
+  OccupancyGrid occupied_;
+  OccupancyGrid blocked_;
+  OccupancyGrid voxels_;
+  Inflation inflation_;
+  std::optional<Carver> carver_;  ///< only with `carve_free_space`
+};
 
 }  // namespace ltp

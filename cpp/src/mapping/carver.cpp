@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltp/mapping/carver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ltp/grid/cell_finder.hpp"
+#include "ltp/grid/ray_walk.hpp"
+
+namespace ltp {
+namespace {
+
+/// Cuts the segment a-b down to the box [low, high]; false if they do not meet.
+bool clip(const Point& low, const Point& high, Point& a, Point& b) {
+  const Point direction = b - a;
+  double enter = 0.0;
+  double leave = 1.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (direction[axis] == 0.0) {
+      if (a[axis] < low[axis] || a[axis] > high[axis]) return false;
+      continue;
+    }
+    const double t_low = (low[axis] - a[axis]) / direction[axis];
+    const double t_high = (high[axis] - a[axis]) / direction[axis];
+    enter = std::max(enter, std::min(t_low, t_high));
+    leave = std::min(leave, std::max(t_low, t_high));
+  }
+  if (!(enter <= leave)) return false;
+  const Point start = a;
+  // Kept inside whatever rounding does: far ends would overflow a cell's coordinates.
+  if (enter > 0.0) a = (start + enter * direction).cwiseMax(low).cwiseMin(high);
+  if (leave < 1.0) b = (start + leave * direction).cwiseMax(low).cwiseMin(high);
+  return true;
+}
+
+}  // namespace
+
+Carver::Carver(const GridFrame& voxels, const ObstacleMapOptions& options)
+    : frame_(voxels),
+      options_(options),
+      log_odds_(static_cast<std::size_t>(voxels.size())),
+      hit_(voxels),
+      passed_(voxels),
+      followed_(voxels) {}
+
+void Carver::cast_votes(const Point& origin, const PathRef& hits, const PathRef& misses) {
+  const CellFinder voxel_of(frame_);
+  const double range = hit_range(options_);
+  // All hits first: rays must not pass what another ray hit.
+  for (Eigen::Index i = 0; i < hits.rows(); ++i) {
+    const Point hit = hits.row(i).transpose();
+    if (!((hit - origin).squaredNorm() < range * range)) continue;
+    const Cell voxel = voxel_of(hit);
+    if (frame_.contains(voxel)) hit_.set(voxel);
+  }
+  for (const PathRef* ends : {&hits, &misses}) {
+    for (Eigen::Index i = 0; i < ends->rows(); ++i) {
+      Point end = ends->row(i).transpose();
+      const double length = (end - origin).norm();
+      if (!std::isfinite(length)) continue;
+      if (length > options_.max_range)
+        end = origin + (options_.max_range / length) * (end - origin);
+      const Cell voxel = voxel_of(end);
+      if (frame_.contains(voxel)) {
+        if (followed_.blocked(voxel)) continue;
+        followed_.set(voxel);
+      }
+      follow(origin, end, voxel);
+    }
+  }
+}
+
+void Carver::follow(const Point& origin, const Point& end, const Cell& last) {
+  // Lattice units count from the anchor, not from the window, so that a ray crosses the same voxels
+  // wherever the window is. The map's lattice is anchored at the world's origin.
+  const Cell first = -frame_.cell_of(Point::Zero());
+  Point a = origin.cwiseQuotient(frame_.cell());
+  Point b = end.cwiseQuotient(frame_.cell());
+  const Point low = first.cast<double>();
+  const Point high = low + Point(frame_.nx(), frame_.ny(), frame_.nz());
+  const auto inside = [&](const Point& p) {
+    return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
+  };
+  if ((!inside(a) || !inside(b)) && !clip(low, high, a, b)) return;
+  walk_segment<3>(a, b, [&](const Cell& lattice, double t_in, double t_out) {
+    const Cell voxel = lattice - first;
+    // A voxel that the ray only touches was not passed; one in which it ends was not passed all the
+    // way.
+    if (t_out > t_in && voxel != last && frame_.contains(voxel) && !hit_.blocked(voxel)) {
+      passed_.set(voxel);
+    }
+    return true;
+  });
+}
+
+bool Carver::update(const Cell& voxel, bool hit) {
+  float& log_odds = log_odds_[frame_.index(voxel)];
+  if (hit) {
+    const float before = options_.keep_hits ? std::max(log_odds, 0.0f) : log_odds;
+    log_odds = std::min(before + static_cast<float>(options_.hit_log_odds),
+                        static_cast<float>(options_.max_log_odds));
+  } else if (!(options_.keep_hits && log_odds > 0.0f)) {
+    log_odds = std::max(log_odds + static_cast<float>(options_.miss_log_odds),
+                        static_cast<float>(options_.min_log_odds));
+  }
+  return log_odds > 0.0f;
+}
+
+void Carver::set_log_odds(const Cell& voxel, double value) {
+  log_odds_[frame_.index(voxel)] =
+      static_cast<float>(std::clamp(value, options_.min_log_odds, options_.max_log_odds));
+}
+
+void Carver::roll(const Cell& shift) {
+  frame_ = frame_.shifted(shift);
+  const std::int64_t nx = frame_.nx();
+  const std::int64_t ny = frame_.ny();
+  const std::int64_t nz = frame_.nz();
+  if (std::abs(std::int64_t{shift.x()}) >= nx || std::abs(std::int64_t{shift.y()}) >= ny ||
+      std::abs(std::int64_t{shift.z()}) >= nz) {
+    clear();
+    return;
+  }
+  // One move of everything, then clear what entered (it holds what wrapped round).
+  const std::int64_t offset = (shift.x() * ny + shift.y()) * nz + shift.z();
+  if (offset > 0) std::copy(log_odds_.begin() + offset, log_odds_.end(), log_odds_.begin());
+  if (offset < 0) std::copy_backward(log_odds_.begin(), log_odds_.end() + offset, log_odds_.end());
+  const auto entered = [](std::int64_t i, int by, std::int64_t n) {
+    return i + by < 0 || i + by >= n;
+  };
+  for (std::int64_t ix = 0; ix < nx; ++ix) {
+    for (std::int64_t iy = 0; iy < ny; ++iy) {
+      const auto column = log_odds_.begin() + (ix * ny + iy) * nz;
+      if (entered(ix, shift.x(), nx) || entered(iy, shift.y(), ny)) {
+        std::fill(column, column + nz, 0.0f);
+      } else if (shift.z() > 0) {
+        std::fill(column + nz - shift.z(), column + nz, 0.0f);
+      } else {
+        std::fill(column, column - shift.z(), 0.0f);
+      }
+    }
+  }
+}
+
+void Carver::clear() { std::fill(log_odds_.begin(), log_odds_.end(), 0.0f); }
+
+}  // namespace ltp

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltp/mapping/obstacle_map.hpp"
+
+#include <algorithm>
+
+#include "ltp/geometry/check.hpp"
+#include "ltp/grid/cell_finder.hpp"
+
+namespace ltp {
+namespace {
+
+const ObstacleMapOptions& checked(const ObstacleMapOptions& options) {
+  options.check();
+  return options;
+}
+
+/// The window of planning cells round a centre. Anchored at the world's origin, so that the windows
+/// of two maps share one lattice.
+GridFrame planning_frame(const ObstacleMapOptions& options, const Point& centre) {
+  check::finite("centre", centre);
+  const GridFrame at_origin(Point::Zero(), options.cell, options.dims);
+  return at_origin.shifted(at_origin.shift_to_centre(centre));
+}
+
+Cell scaled(const Cell& cells, const std::array<int, 3>& ratio) {
+  return Cell(cells.x() * ratio[0], cells.y() * ratio[1], cells.z() * ratio[2]);
+}
+
+/// The same window in voxels.
+GridFrame voxel_frame(const ObstacleMapOptions& options, const Point& centre) {
+  const std::array<int, 3> ratio = options.voxels_per_cell();
+  const GridFrame at_origin(
+      Point::Zero(), Point::Constant(options.cell.minCoeff()),
+      {options.dims[0] * ratio[0], options.dims[1] * ratio[1], options.dims[2] * ratio[2]});
+  at_origin.shift_to_centre(centre);  // throws where voxel coordinates would overflow
+  const GridFrame cells(Point::Zero(), options.cell, options.dims);
+  return at_origin.shifted(scaled(cells.shift_to_centre(centre), ratio));
+}
+
+}  // namespace
+
+ObstacleMap::ObstacleMap(const ObstacleMapOptions& options, const Point& centre)
+    : options_(checked(options)),
+      ratio_(options.voxels_per_cell()),
+      occupied_(planning_frame(options, centre)),
+      blocked_(occupied_.frame()),
+      voxels_(voxel_frame(options, centre)),
+      inflation_(occupied_.frame(), options.inflation_radius) {
+  if (options.carve_free_space) carver_.emplace(voxels_.frame(), options);
+}
+
+InsertStatistics ObstacleMap::insert(const Point& origin, const PathRef& hits,
+                                     const PathRef& misses) {
+  check::finite("origin", origin);
+  InsertStatistics statistics;
+  const CellFinder voxel_of(voxels_.frame());
+  const double range = Carver::hit_range(options_);
+  for (Eigen::Index i = 0; i < hits.rows(); ++i) {
+    const Point hit = hits.row(i).transpose();
+    if (!((hit - origin).squaredNorm() < range * range)) {  // NaN comes here, too
+      ++(hit.allFinite() ? statistics.out_of_range : statistics.invalid);
+      continue;
+    }
+    const Cell voxel = voxel_of(hit);
+    if (!voxels_.frame().contains(voxel)) {
+      ++statistics.outside;
+      continue;
+    }
+    ++statistics.marked;
+    if (carver_ || voxels_.blocked(voxel)) continue;
+    voxels_.set(voxel);
+    statistics.new_cells += occupy_cell_of(voxel);
+  }
+  for (Eigen::Index i = 0; i < misses.rows(); ++i) {
+    if (!misses.row(i).allFinite()) ++statistics.invalid;
+  }
+  if (!carver_) return statistics;
+
+  carver_->insert(origin, hits, misses, voxels_, [&](const Cell& voxel, bool occupied) {
+    if (occupied) {
+      statistics.new_cells += occupy_cell_of(voxel);
+    } else if (const Cell cell = cell_of_voxel(voxel); !any_voxel_in(cell)) {
+      occupied_.set(cell, false);
+      ++statistics.erased_cells;
+    }
+  });
+  if (statistics.erased_cells > 0) inflation_.apply(occupied_, blocked_);
+  return statistics;
+}
+
+Cell ObstacleMap::recentre(const Point& centre) {
+  check::finite("centre", centre);
+  voxels_.frame().shift_to_centre(centre);  // throws where voxel coordinates would overflow
+  const Cell shift = occupied_.frame().shift_to_centre(centre);
+  if (shift.isZero()) return shift;
+  const Cell voxel_shift = scaled(shift, ratio_);
+  occupied_.roll(shift);
+  blocked_.roll(shift);
+  voxels_.roll(voxel_shift);
+  if (carver_) carver_->roll(voxel_shift);
+  // Cells that left take their inflation with them: once or twice a second, so made anew.
+  inflation_.apply(occupied_, blocked_);
+  return shift;
+}
+
+void ObstacleMap::clear() {
+  occupied_.clear();
+  blocked_.clear();
+  voxels_.clear();
+  if (carver_) carver_->clear();
+}
+
+double ObstacleMap::log_odds_at(const Point& point) const {
+  const Cell voxel = voxels_.frame().cell_of(point);
+  if (!voxels_.frame().contains(voxel)) return 0.0;
+  if (carver_) return carver_->log_odds(voxel);
+  return voxels_.blocked(voxel) ? one_hit() : 0.0;
+}
+
+double ObstacleMap::one_hit() const {
+  return std::min(options_.hit_log_odds, options_.max_log_odds);
+}
+
+Cell ObstacleMap::cell_of_voxel(const Cell& voxel) const {
+  return Cell(voxel.x() / ratio_[0], voxel.y() / ratio_[1], voxel.z() / ratio_[2]);
+}
+
+bool ObstacleMap::any_voxel_in(const Cell& cell) const {
+  const Cell low = scaled(cell, ratio_);
+  for (int x = low.x(); x < low.x() + ratio_[0]; ++x) {
+    for (int y = low.y(); y < low.y() + ratio_[1]; ++y) {
+      for (int z = low.z(); z < low.z() + ratio_[2]; ++z) {
+        if (voxels_.blocked(Cell(x, y, z))) return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool ObstacleMap::occupy_cell_of(const Cell& voxel) {
+  const Cell cell = cell_of_voxel(voxel);
+  if (occupied_.blocked(cell)) return false;
+  occupied_.set(cell);
+  inflation_.add(cell, blocked_);
+  return true;
+}
+
+}  // namespace ltp

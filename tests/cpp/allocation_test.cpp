@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Nothing is allocated while flying: the map takes its memory when it is made.
+#include "allocations.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+#include <random>
+#include <vector>
+
+#include "ltp/mapping/obstacle_map.hpp"
+
+namespace {
+thread_local std::int64_t count = 0;
+
+void* take(std::size_t size) {
+  ++count;
+  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+}  // namespace
+
+// Replaces those of the whole program; the forms for arrays and `nothrow` end up here.
+void* operator new(std::size_t size) { return take(size); }
+void* operator new[](std::size_t size) { return take(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace ltp {
+
+std::int64_t test::allocations() { return count; }
+
+namespace {
+
+TEST(Allocations, AreCounted) {
+  const std::int64_t before = test::allocations();
+  const std::vector<int> vector(10);
+  EXPECT_EQ(test::allocations() - before, 1);
+}
+
+TEST(Allocations, TheMapMakesNoneOnceItExists) {
+  std::mt19937_64 random(9);
+  std::normal_distribution<double> normal;
+  for (const bool carve : {false, true}) {
+    for (const bool keep_hits : {true, false}) {
+      ObstacleMapOptions options;
+      options.dims = {50, 50, 40};
+      options.carve_free_space = carve;
+      options.keep_hits = keep_hits;
+      Point position = Point::Zero();
+      ObstacleMap map(options, position);
+      std::vector<Point> hits(500), misses(500);
+      std::int64_t inserted = 0;
+      for (int scan = 0; scan < 50; ++scan) {
+        for (Point& hit : hits)
+          hit = position + 15.0 * Point(normal(random), normal(random), normal(random));
+        for (Point& miss : misses)
+          miss = position + 90.0 * Point(normal(random), normal(random), normal(random));
+        const std::int64_t before = test::allocations();
+        const Eigen::Map<const Path> hit_rows(hits.front().data(), hits.size(), 3);
+        const Eigen::Map<const Path> miss_rows(misses.front().data(), misses.size(), 3);
+        inserted += map.insert(position, hit_rows, miss_rows).marked;
+        inserted += map.insert(position, hit_rows).marked;
+        map.recentre(position);
+        EXPECT_EQ(test::allocations() - before, 0) << "scan " << scan << ", carving " << carve;
+        position += Point(2.5 * normal(random), 2.5 * normal(random), 2.5 * normal(random));
+      }
+      EXPECT_GT(inserted, 10000);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ltp

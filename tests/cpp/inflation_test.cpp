@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Inflation against the distance between every two boxes, and against points drawn at random.
+#include "ltp/mapping/inflation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace ltp {
+namespace {
+
+OccupancyGrid random_grid(const GridFrame& frame, int count, std::mt19937_64& random) {
+  OccupancyGrid grid(frame);
+  for (int i = 0; i < count; ++i) {
+    grid.set(frame.cell_at(static_cast<std::int64_t>(random() % frame.size())));
+  }
+  return grid;
+}
+
+std::vector<Cell> cells_of(const OccupancyGrid& grid) {
+  std::vector<Cell> cells;
+  for (std::int64_t i = 0; i < grid.frame().size(); ++i) {
+    const Cell cell = grid.frame().cell_at(i);
+    if (grid.blocked(cell)) cells.push_back(cell);
+  }
+  return cells;
+}
+
+/// Cell by cell, box by box.
+OccupancyGrid slow_inflation(const OccupancyGrid& occupied, double radius) {
+  const GridFrame& frame = occupied.frame();
+  OccupancyGrid blocked(frame);
+  for (const Cell& source : cells_of(occupied)) {
+    for (std::int64_t i = 0; i < frame.size(); ++i) {
+      const Cell cell = frame.cell_at(i);
+      double squares = 0.0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double gap =
+            std::max(0, std::abs(cell[axis] - source[axis]) - 1) * frame.cell()[axis];
+        squares += gap * gap;
+      }
+      const bool near = radius > 0.0 && std::sqrt(squares) <= radius * (1.0 + 1e-9);
+      if (near || cell == source) blocked.set(cell);
+    }
+  }
+  return blocked;
+}
+
+struct Shape {
+  Point cell;
+  std::array<int, 3> dims;
+};
+
+const Shape kShapes[] = {
+    {{2, 2, 4}, {13, 11, 9}},      {{2, 2, 4}, {9, 8, 80}}, {{1, 1, 1}, {7, 9, 1}},
+    {{1, 1, 1}, {6, 5, 64}},       {{1, 1, 1}, {6, 5, 65}}, {{0.3, 0.1, 0.2}, {8, 12, 130}},
+    {{0.5, 3.0, 1.5}, {17, 1, 6}}, {{2, 2, 2}, {1, 1, 1}},
+};
+
+TEST(Inflation, EqualsTheDistanceBetweenEveryTwoBoxes) {
+  std::mt19937_64 random(2);
+  int compared = 0;
+  for (const Shape& shape : kShapes) {
+    const GridFrame frame(Point(5, -3, 1), shape.cell, shape.dims);
+    const double smallest = shape.cell.minCoeff();
+    // Zero, tiny, whole edges (a gap of exactly the radius counts), 3-4-5, between, and beyond the
+    // grid.
+    for (const double edges : {0.0, 1e-12, 0.5, 1.0, 2.0, 3.0, 5.0, 2.7, 1e4}) {
+      for (const int count : {0, 1, 6}) {
+        const OccupancyGrid occupied = random_grid(frame, count, random);
+        const double radius = edges * smallest;
+        const OccupancyGrid expected = slow_inflation(occupied, radius);
+        EXPECT_TRUE(inflate(occupied, radius) == expected)
+            << "cell " << shape.cell.transpose() << ", nz " << shape.dims[2] << ", radius "
+            << radius;
+
+        // One cell after the other gives the same.
+        const Inflation inflation(frame, radius);
+        OccupancyGrid grown(frame);
+        for (const Cell& cell : cells_of(occupied)) inflation.add(cell, grown);
+        EXPECT_TRUE(grown == expected) << "radius " << radius;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_EQ(compared, 8 * 9 * 3);
+}
+
+TEST(Inflation, NoPointThatIsNearIsLeftFree) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::normal_distribution<double> normal;
+  const GridFrame frame(Point(-20, -20, 0), Point(2, 2, 4), {20, 20, 10});
+  const OccupancyGrid occupied = random_grid(frame, 30, random);
+  int inside = 0;
+  for (const double radius : {0.3, 1.0, 2.5, 6.0}) {
+    const OccupancyGrid blocked = inflate(occupied, radius);
+    for (const Cell& cell : cells_of(occupied)) {
+      for (int i = 0; i < 200; ++i) {
+        const Point offset(unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5);
+        const Point source = frame.centre(cell) + offset.cwiseProduct(frame.cell());
+        const Point direction = Point(normal(random), normal(random), normal(random)).normalized();
+        const Point near = source + radius * unit(random) * direction;
+        if (!frame.contains(near)) continue;
+        ++inside;
+        ASSERT_TRUE(blocked.blocked_at(near));
+      }
+    }
+  }
+  EXPECT_GT(inside, 10000);
+}
+
+TEST(Inflation, OfTheDefaultCellsIsWhatTheManualSays) {
+  const GridFrame frame(Point(0, 0, 0), Point(2, 2, 4), {9, 9, 9});
+  OccupancyGrid occupied(frame);
+  occupied.set(Cell(4, 4, 4));
+  EXPECT_EQ(inflate(occupied, 0.0).count(), 1);
+  EXPECT_EQ(inflate(occupied, 1.0).count(), 27);       // itself and its 26 neighbours
+  EXPECT_EQ(inflate(occupied, 2.0).count(), 27 + 36);  // and one cell further along x or y
+}
+
+TEST(Inflation, ApplyForgetsWhatWasBlockedBefore) {
+  std::mt19937_64 random(4);
+  const GridFrame frame(Point(0, 0, 0), Point(1, 1, 1), {10, 10, 70});
+  Inflation inflation(frame, 1.5);
+  OccupancyGrid blocked = random_grid(frame, 500, random);
+  const OccupancyGrid occupied = random_grid(frame, 5, random);
+  inflation.apply(occupied, blocked);
+  EXPECT_TRUE(blocked == slow_inflation(occupied, 1.5));
+  inflation.apply(OccupancyGrid(frame), blocked);
+  EXPECT_EQ(blocked.count(), 0);
+}
+
+TEST(Inflation, RefusesARadiusThatIsNone) {
+  const OccupancyGrid grid(GridFrame(Point(0, 0, 0), Point(1, 1, 1), {2, 2, 2}));
+  for (const double radius :
+       {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(inflate(grid, radius), std::invalid_argument) << radius;
+  }
+}
+
+}  // namespace
+}  // namespace ltp
