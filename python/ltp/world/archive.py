@@ -143,6 +143,8 @@ def _read_array(
         found_dtype, found_shape = _read_header(name, stream)
         if found_dtype != dtype:
             raise ValueError(f"{name}: expected dtype {dtype.str}, found {found_dtype}")
+        if len(found_shape) != (1 if name == _METADATA else 2):
+            raise ValueError(f"{name}: unexpected shape {found_shape}")
         if shape is not None and found_shape != shape:
             raise ValueError(f"{name}: expected shape {shape}, found {found_shape}")
         size = math.prod(found_shape)

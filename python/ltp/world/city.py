@@ -40,14 +40,17 @@ def make_city(
     plan = draw_plan(rng, size)
     canvas = Canvas(round(size / cell), cell, plan.angle)
 
-    _reserve(canvas, plan)
+    if plan.boulevard is not None:
+        _reserve(canvas, plan.boulevard)
     _blocks(canvas, rng, plan, size, max_height)
     for park in plan.parks:
         _park(canvas, rng, park)
     canvas.reserved[:] = False
-    _riverside(canvas, rng, plan.river)
-    _boulevard(canvas, rng, plan.boulevard)
-    _roundabout(canvas, rng, plan.boulevard)
+    if plan.river is not None:
+        _riverside(canvas, rng, plan.river)
+    if plan.boulevard is not None:
+        _boulevard(canvas, rng, plan.boulevard)
+        _roundabout(canvas, rng, plan.boulevard)
     _street_trees(canvas, rng, plan)
     canvas.grow_trees()
 
@@ -81,12 +84,11 @@ def _checked(size: float, cell: float, max_height: float) -> tuple[float, float,
     return size, cell, positive("max_height", max_height)
 
 
-def _reserve(canvas: Canvas, plan: Plan) -> None:
-    """Keep the blocks out of the diagonal, the roundabout and the river's corridor."""
-    line = plan.boulevard
-    off, _ = _along(canvas, line)
+def _reserve(canvas: Canvas, line: Boulevard) -> None:
+    """Keep the blocks out of the diagonal and its roundabout."""
     away = np.hypot(canvas.u - line.u, canvas.v - line.v)
-    canvas.reserved |= (np.abs(off) < line.width / 2) | (away < line.roundabout)
+    canvas.reserved |= np.abs(_off_axis(canvas, line)) < line.width / 2
+    canvas.reserved |= away < line.roundabout
 
 
 def _blocks(
@@ -172,17 +174,15 @@ def _riverside(canvas: Canvas, rng: np.random.Generator, river: River) -> None:
         canvas.plant(rng, along, np.full(along.size, rim), 13.0)
 
 
-def _along(canvas: Canvas, line: Boulevard) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Distance to the left of the boulevard's axis and position along it, for every cell [m]."""
+def _off_axis(canvas: Canvas, line: Boulevard) -> NDArray[np.float64]:
+    """How far each cell lies to the left of the boulevard's axis [m]."""
     c, s = math.cos(line.direction), math.sin(line.direction)
-    du, dv = canvas.u - line.u, canvas.v - line.v
-    return c * dv - s * du, c * du + s * dv
+    return np.asarray(c * (canvas.v - line.v) - s * (canvas.u - line.u))
 
 
 def _boulevard(canvas: Canvas, rng: np.random.Generator, line: Boulevard) -> None:
     """Two carriageways, a green middle, broad pavements with two rows of trees."""
-    off, _ = _along(canvas, line)
-    off = np.abs(off)
+    off = np.abs(_off_axis(canvas, line))
     bridge = canvas.classes == LandClass.WATER
     band = off < line.width / 2
     canvas.classes[band] = LandClass.PAVED

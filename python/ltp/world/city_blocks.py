@@ -54,7 +54,7 @@ def _downtown(site: Site) -> None:
                 height,
             )
             continue
-        tower(site, u, v, rng.uniform(0.82, 0.97) * side, height, style)
+        tower(site, u, v, min(50.0, rng.uniform(0.82, 0.97) * side), height, style)
 
 
 def _perimeter(site: Site) -> None:

@@ -7,11 +7,12 @@ Everything here is in the street frame (u, v): metres from the middle of the map
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+SMALLEST_WITH_LANDMARKS = 400.0  # a smaller map has neither river nor boulevard [m]
 EMBANKMENT_ROAD = 11.0  # width of the road on each side of the river's corridor [m]
 
 
@@ -88,24 +89,27 @@ class Plan:
     blocks: tuple[Rect, ...]  # kerb to kerb
     parks: tuple[Rect, ...]  # whole quarters
     streets: tuple[Street, ...]  # avenues first
-    river: River
-    boulevard: Boulevard
+    river: River | None  # none on a small map
+    boulevard: Boulevard | None
 
 
 def draw_plan(rng: np.random.Generator, size: float) -> Plan:
     """Draw the lines of a square city of `size` metres: districts, quarters, blocks."""
     angle = rng.uniform(0.08, 0.30) * rng.choice([-1.0, 1.0])
     reach = 0.5 * size * (math.cos(angle) + abs(math.sin(angle))) + 30.0
-    corridor_v = rng.uniform(-0.30, -0.22) * size
-    corridor = Rect(-reach, corridor_v - 56.0, reach, corridor_v + 56.0)
+    whole = Rect(-reach, -reach, reach, reach)
+    corridor = _corridor(rng, size, whole) if size >= SMALLEST_WITH_LANDMARKS else None
+    banks = [whole]
+    if corridor is not None:
+        south, north = replace(whole, v1=corridor.v0), replace(whole, v0=corridor.v1)
+        banks = [bank for bank in (south, north) if bank.depth > 30.0]
 
     avenues: list[Street] = []
-    quarters: list[Rect] = []
     streets: list[Street] = []
-    for bank in (Rect(-reach, -reach, reach, corridor.v0), Rect(-reach, corridor.v1, reach, reach)):
-        if bank.depth > 30.0:
-            for district in _divide(rng, bank, 420.0, (19.0, 28.0), avenues):
-                quarters += _divide(rng, district, 235.0, (12.0, 16.0), streets)
+    quarters: list[Rect] = []
+    for bank in banks:
+        for district in _divide(rng, bank, 420.0, (19.0, 28.0), avenues):
+            quarters += _divide(rng, district, 235.0, (12.0, 16.0), streets)
 
     parks = _choose_parks(quarters, size)
     blocks: list[Rect] = []
@@ -113,7 +117,23 @@ def draw_plan(rng: np.random.Generator, size: float) -> Plan:
         if quarter not in parks:
             blocks += _divide(rng, quarter, 112.0, (7.0, 11.0), streets)
 
-    river = River(
+    return Plan(
+        angle=angle,
+        blocks=tuple(blocks),
+        parks=parks,
+        streets=(*avenues, *streets),
+        river=None if corridor is None else _draw_river(rng, corridor, avenues),
+        boulevard=_draw_boulevard(rng, size) if size >= SMALLEST_WITH_LANDMARKS else None,
+    )
+
+
+def _corridor(rng: np.random.Generator, size: float, whole: Rect) -> Rect:
+    middle = rng.uniform(-0.30, -0.22) * size
+    return replace(whole, v0=middle - 56.0, v1=middle + 56.0)
+
+
+def _draw_river(rng: np.random.Generator, corridor: Rect, avenues: list[Street]) -> River:
+    return River(
         corridor=corridor,
         width=rng.uniform(44.0, 52.0),
         swing=rng.uniform(11.0, 15.0),
@@ -121,14 +141,16 @@ def draw_plan(rng: np.random.Generator, size: float) -> Plan:
         phase=rng.uniform(0.0, 2.0 * math.pi),
         bridges=_bridges(avenues, corridor),
     )
-    boulevard = Boulevard(
+
+
+def _draw_boulevard(rng: np.random.Generator, size: float) -> Boulevard:
+    return Boulevard(
         u=rng.uniform(-0.14, 0.02) * size,
         v=rng.uniform(0.04, 0.14) * size,
         direction=rng.uniform(0.55, 0.85) * rng.choice([-1.0, 1.0]),
         width=38.0,
         roundabout=52.0,
     )
-    return Plan(angle, tuple(blocks), parks, (*avenues, *streets), river, boulevard)
 
 
 def _divide(

@@ -21,12 +21,14 @@ from .world import World
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.cm import ScalarMappable
     from matplotlib.figure import Figure
 
 _MOST_PIXELS = 1500  # along an axis; more cells are thinned
 _INK, _FAINT = "#22262b", "#6d7480"
 _HEIGHT_COLOURS = ("#f4f2ec", "#f0dcb8", "#e3a872", "#c76a5b", "#84406b", "#3b2a5a")
-_OBSTACLE = "#1b1b1f"
+_PRIORITY_COLOURS = ("#232a44", "#2f5d78", "#4a9b8e", "#a5cf9a", "#f3f3cf")
+_OBSTACLE = "#e0604c"
 
 
 def world_picture(world: World, path: str | os.PathLike[str], altitude: float = 50.0) -> None:
@@ -54,63 +56,91 @@ def world_picture(world: World, path: str | os.PathLike[str], altitude: float = 
 def _draw(world: World, altitude: float) -> "Figure":
     from matplotlib.figure import Figure
 
-    width, depth = world.shape
-    aspect = min(2.0, max(0.5, depth / width))
-    figure = Figure(figsize=(14.5, 2.6 + 11.6 * aspect), layout="constrained", facecolor="white")
+    panel = (5.9, 5.9 * min(2.0, max(0.5, world.shape[1] / world.shape[0])))  # [inch]
+    width, height = 2 * panel[0] + 4.3, 2 * panel[1] + 2.6
+    figure = Figure(figsize=(width, height), facecolor="white")
     grid = figure.subplots(2, 2)
-    _height_panel(world, grid[0, 0])
-    _class_panel(world, grid[0, 1])
+    figure.subplots_adjust(
+        left=0.8 / width,
+        right=1.0 - 1.9 / width,
+        bottom=0.85 / height,
+        top=1.0 - 0.95 / height,
+        wspace=1.6 / panel[0],
+        hspace=0.8 / panel[1],
+    )
+    surface, cell = _thin(world.surface, world.cell)
+    light = sunlight(surface, cell)
+    _height_panel(world, grid[0, 0], surface, light)
+    _class_panel(world, grid[0, 1], light)
 
     binary, origin = binary_values(world)
     side = float(footprint(altitude))
     seen = box_mean(binary, side / PRIORITY_CELL)
     _priority_panel(world, grid[1, 0], binary, origin, altitude)
-    grid[1, 0].set_title(f"Binary priority: {binary.mean():.0%} may be landed on (wide)")
     _priority_panel(world, grid[1, 1], seen, origin, altitude)
-    grid[1, 1].set_title(f"Low-pass priority at {altitude:g} m above ground")
     _mark_footprint(world, grid[1, 1], side)
 
-    for axes in grid.flat:
+    share = f"{binary.mean():.0%} of the map may be landed on (wide)"
+    for axes, title in (
+        (grid[0, 0], f"Surface height, up to {world.surface.max():.0f} m"),
+        (grid[0, 1], "Land classes"),
+        (grid[1, 0], f"Binary priority: {share}"),
+        (grid[1, 1], f"Low-pass priority, camera {altitude:g} m above ground"),
+    ):
+        axes.set_title(title, fontsize=12.5, color=_INK, loc="left")
         _dress(world, axes)
-    frame = world.datum.crs or "local frame"
-    east, north = world.shape[0] * world.cell, world.shape[1] * world.cell
-    figure.suptitle(
-        f"{world.name}   \u00b7   {east:,.0f} m \u00d7 {north:,.0f} m at {world.cell:g} m   "
-        f"\u00b7   {frame}, heights: {world.datum.vertical}",
-        fontsize=15,
-        color=_INK,
-    )
-    figure.supxlabel(world.attribution or " ", fontsize=9.5, color=_FAINT)
+    _caption(world, figure)
     return figure
 
 
-def _height_panel(world: World, axes: "Axes") -> None:
+def _caption(world: World, figure: "Figure") -> None:
+    """Name and frame above the panels, attribution below them."""
+    width, height = figure.get_size_inches()
+    x_min, y_min, x_max, y_max = world.extent
+    place = world.datum.crs or "local frame"
+    if world.datum.crs:
+        place += f", x = 0 at {world.datum.easting:,.0f} E, y = 0 at {world.datum.northing:,.0f} N"
+    facts = (
+        f"{x_max - x_min:,.0f} m \u00d7 {y_max - y_min:,.0f} m at {world.cell:g} m  \u00b7  {place}"
+    )
+    left, top = 0.8 / width, 1.0 - 0.38 / height
+    figure.text(left, top, world.name, fontsize=16, color=_INK, weight="bold", va="center")
+    figure.text(1.0 - 1.9 / width, top, facts, fontsize=10.5, color=_FAINT, ha="right", va="center")
+    figure.text(left, 0.25 / height, world.attribution, fontsize=9.5, color=_FAINT, va="center")
+
+
+def _height_panel(
+    world: World, axes: "Axes", surface: NDArray[np.float64], light: NDArray[np.float64]
+) -> None:
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import LinearSegmentedColormap, Normalize
 
-    surface, cell = _thin(world.surface, world.cell)
     colours = LinearSegmentedColormap.from_list("height", _HEIGHT_COLOURS)
-    low = float(np.quantile(world.ground, 0.01))
-    scale = Normalize(low, max(low + 1.0, float(np.quantile(world.surface, 0.999))))
-    rgb = colours(scale(surface))[..., :3] * sunlight(surface, cell)[..., None]
-    _show(world, axes, np.clip(rgb, 0.0, 1.0))
-    axes.set_title(f"Surface height, up to {world.surface.max():.0f} m")
-    bar = axes.figure.colorbar(
-        ScalarMappable(scale, colours), ax=axes, shrink=0.8, pad=0.015, aspect=32, extend="max"
-    )
-    bar.set_label(f"above the {world.datum.vertical} datum [m]", color=_INK)
+    low, high = float(world.ground.min()), float(world.surface.max())
+    scale = Normalize(low, max(low + 1.0, high))
+    _show(world, axes, np.clip(colours(scale(surface))[..., :3] * light[..., None], 0.0, 1.0))
+    _bar(axes, ScalarMappable(scale, colours), f"height above {_datum(world)} [m]")
+
+
+def _datum(world: World) -> str:
+    return "local zero" if world.datum.vertical == "local" else world.datum.vertical
+
+
+def _bar(axes: "Axes", mapped: "ScalarMappable", label: str) -> None:
+    """A colour bar as high as its panel."""
+    bar = axes.figure.colorbar(mapped, cax=axes.inset_axes((1.02, 0.0, 0.028, 1.0)))
+    bar.set_label(label, color=_INK)
+    bar.ax.tick_params(colors=_FAINT, labelsize=9)
     bar.outline.set_visible(False)
 
 
-def _class_panel(world: World, axes: "Axes") -> None:
+def _class_panel(world: World, axes: "Axes", light: NDArray[np.float64]) -> None:
     from matplotlib.patches import Patch
 
     classes, _ = _thin(world.classes, world.cell)
     table = np.array([CLASS_COLOURS[land] for land in sorted(LandClass)]) / 255.0
-    surface, cell = _thin(world.surface, world.cell)
-    shade = 0.55 + 0.45 * sunlight(surface, cell)[..., None]  # a hint of relief
+    shade = 0.55 + 0.45 * light[..., None]  # a hint of relief
     _show(world, axes, np.clip(table[classes] * shade, 0.0, 1.0))
-    axes.set_title("Land classes")
     share = np.bincount(world.classes.reshape(-1), minlength=len(LandClass)) / world.classes.size
     present = sorted((land for land in LandClass if share[land] > 0.0), key=lambda c: -share[c])
     handles = [
@@ -124,7 +154,7 @@ def _class_panel(world: World, axes: "Axes") -> None:
     axes.legend(
         handles=handles,
         loc="upper left",
-        bbox_to_anchor=(1.005, 1.0),
+        bbox_to_anchor=(1.005, 1.01),
         frameon=False,
         fontsize=9.5,
         handlelength=1.2,
@@ -140,29 +170,30 @@ def _priority_panel(
     origin: tuple[float, float],
     altitude: float,
 ) -> None:
-    from matplotlib.colors import ListedColormap
+    from matplotlib.colors import LinearSegmentedColormap, to_rgba
     from matplotlib.patches import Patch
 
-    nx, ny = values.shape
-    extent = (
-        origin[0],
-        origin[0] + nx * PRIORITY_CELL,
-        origin[1],
-        origin[1] + ny * PRIORITY_CELL,
+    (x, y), (nx, ny) = origin, values.shape
+    image = axes.imshow(
+        values.T,
+        origin="lower",
+        extent=(x, x + nx * PRIORITY_CELL, y, y + ny * PRIORITY_CELL),
+        cmap=LinearSegmentedColormap.from_list("priority", _PRIORITY_COLOURS),
+        vmin=0.0,
+        vmax=1.0,
     )
-    image = axes.imshow(values.T, origin="lower", extent=extent, cmap="viridis", vmin=0.0, vmax=1.0)
+    _bar(axes, image, "priority")
     tall, _ = _thin(world.height_above_ground >= altitude, world.cell)
-    overlay = np.ma.masked_equal(tall.astype(np.uint8), 0)
-    _show(world, axes, overlay, cmap=ListedColormap([_OBSTACLE]))
-    bar = axes.figure.colorbar(image, ax=axes, shrink=0.8, pad=0.015, aspect=32)
-    bar.set_label("priority", color=_INK)
-    bar.outline.set_visible(False)
+    overlay = np.zeros((*tall.shape, 4))
+    overlay[tall] = to_rgba(_OBSTACLE)
+    _show(world, axes, overlay)
     axes.legend(
         handles=[Patch(facecolor=_OBSTACLE, label=f"stands {altitude:g} m or more above ground")],
         loc="upper right",
         fontsize=9,
         framealpha=0.9,
         edgecolor="none",
+        labelcolor=_INK,
     )
 
 
@@ -195,7 +226,6 @@ def _dress(world: World, axes: "Axes") -> None:
     axes.set_aspect("equal")
     axes.set_xlabel("east x [m]", color=_INK)
     axes.set_ylabel("north y [m]", color=_INK)
-    axes.set_title(axes.get_title(), fontsize=12.5, color=_INK, loc="left")
     axes.tick_params(colors=_FAINT, labelsize=9)
     for spine in axes.spines.values():
         spine.set_color("#c9ced6")
@@ -219,11 +249,11 @@ def _dress(world: World, axes: "Axes") -> None:
     )
 
 
-def _show(world: World, axes: "Axes", values: NDArray[Any], **options: Any) -> None:
+def _show(world: World, axes: "Axes", values: NDArray[Any]) -> None:
     """Draw an [ix, iy] array over the extent of the world, north up."""
     x_min, y_min, x_max, y_max = world.extent
-    image = np.ma.swapaxes(values, 0, 1) if np.ma.isMaskedArray(values) else values.swapaxes(0, 1)
-    axes.imshow(image, origin="lower", extent=(x_min, x_max, y_min, y_max), **options)
+    extent = (x_min, x_max, y_min, y_max)
+    axes.imshow(values.swapaxes(0, 1), origin="lower", extent=extent)
 
 
 def _thin(values: NDArray[Any], cell: float) -> tuple[NDArray[Any], float]:
