@@ -119,11 +119,7 @@ def _height_panel(
     low, high = float(world.ground.min()), float(world.surface.max())
     scale = Normalize(low, max(low + 1.0, high))
     _show(world, axes, np.clip(colours(scale(surface))[..., :3] * light[..., None], 0.0, 1.0))
-    _bar(axes, ScalarMappable(scale, colours), f"height above {_datum(world)} [m]")
-
-
-def _datum(world: World) -> str:
-    return "local zero" if world.datum.vertical == "local" else world.datum.vertical
+    _bar(axes, ScalarMappable(scale, colours), f"height [m], datum: {world.datum.vertical}")
 
 
 def _bar(axes: "Axes", mapped: "ScalarMappable", label: str) -> None:
