@@ -17,7 +17,7 @@ from .world import Datum, World
 #: What stands higher than this above the ground is an object, not a kind of ground [m].
 OBJECT_HEIGHT = 2.0
 
-#: Heights outside of this are no-data values whose tag was lost (-9999, -3.4e38, ...), or noise [m].
+#: Heights outside of this are noise, or no-data values whose tag was lost (-9999, ...) [m].
 HEIGHTS = (-1000.0, 10000.0)
 
 ClassTable = Mapping[int, LandClass | str | int]

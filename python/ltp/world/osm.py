@@ -183,7 +183,7 @@ class _Canvas:
         self, areas: list[tuple[Any, float]], fill: float, *, all_touched: bool
     ) -> NDArray[np.float64]:
         features = require("rasterio.features", _PURPOSE)
-        transform = require("rasterio.transform", _PURPOSE)
+        affine = require("rasterio", _PURPOSE).Affine
         near = [(area, value) for area, value in areas if area.intersects(self.box)]
         if not near:
             return np.full(self.shape, fill)
@@ -191,7 +191,7 @@ class _Canvas:
             near,
             out_shape=self.shape[::-1],
             fill=fill,
-            transform=transform.from_origin(self.bounds[0], self.bounds[3], self.cell, self.cell),
+            transform=affine(self.cell, 0.0, self.bounds[0], 0.0, -self.cell, self.bounds[3]),
             all_touched=all_touched,
             dtype="float64",
         )

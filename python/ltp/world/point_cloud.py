@@ -33,6 +33,7 @@ _CLUTTER = (0, 1, 19, 20, 21, 22)  # never classified, unclassified, overhead, i
 _DROPPED = (7, 12, 18, 65, 66, 67)  # noise, overlap, high noise, artefacts, virtual points, other
 
 _CHUNK = 1_000_000  # points in memory at a time
+_CELLS_PER_POINT = 100  # with more, the extent in the header is a lie, or the cell a slip
 
 Bounds = tuple[float, float, float, float]
 
@@ -197,8 +198,13 @@ class _Lattice:
             nx, ny = math.floor(x1 / cell) - i0 + 1, math.floor(y1 / cell) - j0 + 1
         else:
             nx, ny = math.ceil(x1 / cell) - i0, math.ceil(y1 / cell) - j0
-        if nx * ny > MAX_CELLS:
-            raise ValueError(f"{source} needs {nx} x {ny} cells of {cell:g} m, over {MAX_CELLS:,}")
+        n_points = int(header.point_count)
+        most = MAX_CELLS if bounds is not None else min(MAX_CELLS, _CELLS_PER_POINT * n_points)
+        if nx * ny > most:
+            raise ValueError(
+                f"{source} needs {nx} x {ny} cells of {cell:g} m, more than {most:,} for "
+                f"{n_points:,} returns"
+            )
         return _Lattice(i0 * cell, j0 * cell, cell, (nx, ny))
 
 

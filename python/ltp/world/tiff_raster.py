@@ -17,6 +17,10 @@ from .tiff_layout import check_complete
 
 PathLike = str | os.PathLike[str]
 
+# Packed tighter than this, a raster is not one: its blocks were never written, or are a trap.
+_MAX_BYTES_PER_BYTE = 10_000
+_SMALL = 4_000_000  # cells that anybody may promise
+
 
 @dataclass(frozen=True)
 class Grid:
@@ -100,6 +104,11 @@ def _grid(path: Path, dataset: Any) -> tuple[Grid, bool]:
     nx, ny, t = dataset.width, dataset.height, dataset.transform
     if nx * ny > MAX_CELLS or max(int(a) * int(b) for a, b in dataset.block_shapes) > MAX_CELLS:
         raise ValueError(f"{path} declares {nx} x {ny} cells, more than {MAX_CELLS:,}")
+    declared = nx * ny * np.dtype(dataset.dtypes[0]).itemsize
+    if nx * ny > _SMALL and declared > _MAX_BYTES_PER_BYTE * path.stat().st_size:
+        raise ValueError(
+            f"{path} declares {nx} x {ny} cells, which its {path.stat().st_size} bytes do not hold"
+        )
     if dataset.count != 1:
         raise ValueError(f"{path} must have one band, it has {dataset.count}")
     if np.dtype(dataset.dtypes[0]).kind not in "iuf":
