@@ -227,6 +227,7 @@ def test_a_raster_without_any_height_is_refused(write: Write) -> None:
         geotiff.read(dsm=dsm, dem=write("dem.tif", _flat(-9999.0)))
 
 
+@pytest.mark.filterwarnings("ignore::rasterio.errors.NotGeoreferencedWarning")
 def test_a_vrt_in_disguise_is_refused(write: Write, tmp_path: Path) -> None:
     inner = write("inner.tif", _flat())
     disguised = tmp_path / "dsm.tif"
