@@ -1,0 +1,140 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whole flights over small worlds: given a scene, when it is flown, then this happens."""
+
+import numpy as np
+import pytest
+
+import ltp
+from ltp.sim import Mission, Outcome
+from ltp.world import LandClass, World
+
+
+def flat_world(size: int = 240) -> np.ndarray:
+    return np.zeros((size, size))
+
+
+def make_world(surface: np.ndarray) -> World:
+    ground = np.zeros_like(surface)
+    classes = np.where(surface > 0, LandClass.BUILDING, LandClass.GRASS).astype(np.uint8)
+    return World("test", ground, surface, classes, cell=1.0)
+
+
+def line(*points: tuple[float, float], altitude: float = 30.0) -> np.ndarray:
+    return np.array([(x, y, altitude) for x, y in points])
+
+
+def small_config(**values) -> ltp.MissionConfig:
+    config = ltp.MissionConfig(**values)
+    config.mapping.dims = [80, 80, 20]
+    return config
+
+
+COMPLETE = [name for name in ltp.PLANNERS if name != "bezier"]
+
+
+@pytest.mark.parametrize("planner", ltp.PLANNERS)
+def test_an_open_field_is_flown_straight(planner: str) -> None:
+    path = line((40, 40), (90, 40), (140, 40))
+    config = small_config(planner=planner, length_weight=1.0, priority_weight=0.0)
+    record = ltp.fly(make_world(flat_world()), config, path)
+    assert record.outcome is Outcome.REACHED
+    assert record.complete
+    assert record.length_ratio < 1.03
+    assert len(record.plans) == 2
+    assert record.min_clearance == pytest.approx(30.0, abs=1.0)
+    assert record.mean_priority == 1.0
+
+
+@pytest.mark.parametrize("planner", COMPLETE)
+def test_a_tower_in_the_way_is_flown_round(planner: str) -> None:
+    surface = flat_world()
+    surface[100:120, 60:130] = 60.0
+    record = ltp.fly(make_world(surface), small_config(planner=planner), line((40, 100), (180, 100)))
+    assert record.outcome is Outcome.REACHED
+    assert record.complete
+    assert record.min_clearance > 1.0
+    assert record.length_ratio > 1.1
+    assert np.ptp(record.positions[:, 2]) < 1.0, "planar flight"
+
+
+@pytest.mark.parametrize("planner", COMPLETE)
+def test_a_way_point_inside_a_tower_is_dropped_with_proof_and_the_next_one_reached(
+    planner: str,
+) -> None:
+    surface = flat_world()
+    surface[90:120, 90:120] = 60.0
+    path = line((40, 105), (105, 105), (180, 105))
+    record = ltp.fly(make_world(surface), small_config(planner=planner), path)
+    assert record.outcome is Outcome.REACHED
+    assert [event.index for event in record.dropped] == [0]
+    assert record.dropped[0].reason in ("unreachable", "goal_blocked")
+    assert record.way_points[-1].outcome == "reached"
+
+
+def test_a_flight_repeats_to_the_byte() -> None:
+    surface = flat_world()
+    surface[100:120, 60:130] = 60.0
+    world, path = make_world(surface), line((40, 100), (180, 100))
+    config = small_config()
+    config.lidar.range_noise_sd = 0.05
+    config.lidar.drop_out = 0.1
+    first, second = (ltp.fly(world, config, path) for _ in range(2))
+    assert first.positions.tobytes() == second.positions.tobytes()
+    assert first.plan_index.tobytes() == second.plan_index.tobytes()
+
+
+def test_a_flight_that_cannot_get_on_times_out() -> None:
+    surface = flat_world()
+    surface[60:180, 60:180] = 60.0
+    surface[64:176, 64:176] = 0.0  # a courtyard, and the UAV in it
+    config = small_config(planner="bezier", hold_limit=3.0)
+    record = ltp.fly(make_world(surface), config, line((120, 120), (220, 120)))
+    assert record.outcome is Outcome.TIMED_OUT
+    assert record.dropped == []
+    assert record.duration < 60.0
+
+
+def test_starting_inside_a_building_is_a_collision_not_a_crash() -> None:
+    surface = flat_world()
+    surface[90:120, 90:120] = 60.0
+    record = ltp.fly(make_world(surface), small_config(), line((105, 105), (180, 105)))
+    assert record.outcome is Outcome.COLLIDED
+    assert record.collision is not None
+    assert record.min_clearance == 0.0
+
+
+def test_observers_see_every_step() -> None:
+    calls: list[str] = []
+
+    class Watcher:
+        def on_start(self, mission: Mission) -> None:
+            calls.append("start")
+
+        def on_step(self, mission: Mission) -> None:
+            assert mission.scan is not None
+            calls.append("step")
+
+        def on_end(self, mission: Mission, record: ltp.FlightRecord) -> None:
+            calls.append("end")
+
+    path = line((40, 40), (60, 40))
+    record = ltp.fly(make_world(flat_world()), small_config(), path, observers=[Watcher()])
+    assert calls[0] == "start"
+    assert calls[-1] == "end"
+    assert calls.count("step") == len(record.times)
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        np.zeros((1, 3)),
+        np.zeros((2, 2)),
+        np.zeros((3, 3)),
+        np.array([[0, 0, 0], [np.nan, 0, 0]]),
+        np.zeros(3),
+    ],
+)
+def test_a_strange_global_path_is_refused_by_name(path: np.ndarray) -> None:
+    with pytest.raises(ValueError, match="global_path"):
+        ltp.fly(make_world(flat_world()), small_config(), path)
