@@ -103,6 +103,8 @@ void bind_navigation(py::module_& m) {
       .def_property_readonly("plans", &Ltp::plans, py::return_value_policy::copy,
                              "the planner's answers when it was last asked")
       .def_property_readonly("plans_made", &Ltp::plans_made, "since the beginning")
+      .def_property_readonly("events", &Ltp::events, py::return_value_policy::copy,
+                             "reached and dropped way-points, in order")
       .def_property_readonly("events_count", [](const Ltp& self) { return self.events().size(); })
       .def_property_readonly("way_point_index", &Ltp::way_point_index, "the way-point flown to")
       .def_property_readonly("way_points", &Ltp::way_points, py::return_value_policy::copy)
