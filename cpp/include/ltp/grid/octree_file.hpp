@@ -14,7 +14,9 @@ namespace ltp {
 struct OctreeLeaf {
   Point centre = Point::Zero();  ///< world [m]
   double size = 0.0;             ///< edge [m]; the resolution times a power of two
-  double log_odds = 0.0;         ///< of being occupied; > 0: occupied
+  double log_odds = 0.0;         ///< of being occupied
+
+  bool occupied() const { return log_odds >= 0.0; }  ///< OctoMap's rule: 0 is occupied
 };
 
 struct OctreeLeaves {
@@ -22,14 +24,17 @@ struct OctreeLeaves {
   std::vector<OctreeLeaf> leaves;
 };
 
-/// Reads a `.bt` or `.ot` file. Everything is checked before OctoMap sees it (its own reader
-/// recurses without limit on a hostile file). Throws `std::invalid_argument` that names the file
-/// and what is wrong with it.
+/// Reads a `.bt` or `.ot` file (which of them, its first line says; OctoMap's types OcTree,
+/// ColorOcTree and OcTreeStamped). OctoMap's own reader recurses without limit on a hostile file,
+/// so this one walks the bytes itself, bounded by the tree's 16 levels, and counts before it
+/// allocates. Leaves of a `.bt` get OctoMap's clamped log-odds, 3.5 or -2. Throws
+/// `std::invalid_argument` that names the file and what is wrong with it.
 OctreeLeaves read_octree(const std::string& path);
 
-/// Writes `.bt` or `.ot` by the path's extension: first to a temporary file beside it, then
-/// renamed. Leaves must have the size of the resolution. Throws `std::invalid_argument` for another
-/// extension, `std::runtime_error` that names the file if it cannot be written.
+/// Writes `.bt` or `.ot` by the path's extension, pruned: first to a temporary file beside it, then
+/// renamed. Leaves must be voxels of the resolution; of two for one voxel the later one counts.
+/// Throws `std::invalid_argument` that names the file for another extension or a leaf that OctoMap
+/// cannot hold, `std::runtime_error` that names the file if it cannot be written.
 void write_octree(const std::string& path, const OctreeLeaves& octree);
 
 }  // namespace ltp

@@ -13,14 +13,15 @@ namespace ltp {
 
 /// The rays of one revolution, in the sensor's frame (x forward, y left, z up).
 struct LidarPattern {
-  int azimuths = 360;              ///< rays a row, evenly over the azimuth range, >= 1
-  double azimuth_from_deg = -180;  ///< first azimuth, counter-clockwise from x [deg]
-  double azimuth_to_deg = 180;     ///< end of the range, itself not sampled for a full circle [deg]
-  int rows = 32;                   ///< rows, evenly over the elevation range with both ends, >= 1
-  double elevation_from_deg = -45;  ///< lowest row [deg], > -90
-  double elevation_to_deg = 15;     ///< highest row [deg], < 90
+  int azimuths = 360;               ///< rays a row, evenly over the azimuth range, >= 1
+  double azimuth_from_deg = -180;   ///< first azimuth, counter-clockwise from x [deg]
+  double azimuth_to_deg = 180;      ///< last azimuth; a full circle stops one step short [deg]
+  int rows = 32;                    ///< rows, evenly over the elevation range, both ends, >= 1
+  double elevation_from_deg = -45;  ///< lowest row, and the only one if rows = 1; > -90 [deg]
+  double elevation_to_deg = 15;     ///< highest row; < 90 [deg]
 
-  void check() const;
+  std::int64_t size() const { return std::int64_t{azimuths} * rows; }
+  void check() const;  ///< throws `std::invalid_argument` that names the field
 };
 
 struct LidarOptions {
@@ -30,28 +31,29 @@ struct LidarOptions {
   double drop_out = 0.0;        ///< probability that a return is lost, in [0, 1]
   std::uint64_t seed = 0;       ///< of noise and drop-out
 
-  void check() const;
+  void check() const;  ///< throws `std::invalid_argument` that names the field
 };
 
-/// What became of a scan's rays.
+/// What became of a scan's rays; the four counts add up to all of them.
 struct ScanStatistics {
   std::int64_t hits = 0;     ///< returns nearer than the maximum range
   std::int64_t misses = 0;   ///< no return: +inf, or at or beyond the maximum range
-  std::int64_t invalid = 0;  ///< NaN, negative or -inf: says nothing about the world
+  std::int64_t invalid = 0;  ///< NaN, 0, negative or -inf: says nothing about the world
   std::int64_t dropped = 0;  ///< returns lost to `drop_out`: says nothing about the world
 };
 
-/// One revolution, in the world frame.
+/// One revolution, in the world frame. Both lists are in the order of the rays.
 struct Scan {
   Point origin = Point::Zero();  ///< of all its rays [m]
   std::vector<Point> hits;       ///< end points of the returns [m]
-  std::vector<Point>
-      misses;  ///< free end points of the rays without a return, at the maximum range [m]
+  std::vector<Point> misses;     ///< where rays without a return end, at the maximum range [m]
   ScanStatistics statistics;
 };
 
+/// Immutable once made: one may serve several threads.
 class Lidar {
  public:
+  /// Throws `std::invalid_argument` that names the option.
   explicit Lidar(const LidarOptions& options = {});
 
   const LidarOptions& options() const { return options_; }
@@ -59,19 +61,25 @@ class Lidar {
   /// ascending.
   const Path& directions() const { return directions_; }
 
-  /// Scans a surface. `sequence` numbers the scan, so that noise differs from scan to scan and
-  /// repeats from run to run. `out` is overwritten; its memory is reused.
+  /// Scans a surface. Without noise the hits are `RayHit::inside`, a hair inside the solid; with
+  /// noise they lie on the ray, at the noisy range. Noise may turn a return into a miss (at or
+  /// beyond the maximum range) or an invalid one (not positive).
+  /// @param sequence  numbers the scan: noise differs from scan to scan and repeats from run to run
+  /// @param out       overwritten; its memory is reused
+  /// Throws `std::invalid_argument` for a pose that is not finite or not a rotation.
   void scan(const Surface& surface, const Pose& pose, std::uint64_t sequence, Scan& out) const;
 
   /// The scan that a real sensor's ranges mean, one a ray in the order of `directions()` [m]. NaN,
-  /// negative and -inf are invalid; +inf and anything at or beyond the maximum range is a miss.
+  /// 0, negative and -inf are invalid; +inf and anything at or beyond the maximum range is a miss.
+  /// Throws `std::invalid_argument` for another number of ranges or a bad pose.
   void from_ranges(const Eigen::Ref<const Eigen::VectorXd>& ranges, const Pose& pose,
                    Scan& out) const;
 
  private:
   LidarOptions options_;
+  std::vector<Eigen::Vector2d> headings_;  ///< one an azimuth, sensor frame
+  BeamFan fan_;                            ///< one beam a row
   Path directions_;
-  std::vector<double> elevations_;  ///< [rad], ascending
 };
 
 }  // namespace ltp

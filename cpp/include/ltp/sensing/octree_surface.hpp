@@ -1,32 +1,36 @@
 // SPDX-FileCopyrightText: 2026 The ltp authors
 // SPDX-License-Identifier: BSD-3-Clause
-// `OctreeSurface`: the occupied voxels of an OctoMap octree as something that a ray can hit.
+// `OctreeSurface`: the occupied voxels of an octree as something that a ray can hit.
 #pragma once
 
-#include <memory>
 #include <string>
 
+#include "ltp/grid/occupancy_grid.hpp"
+#include "ltp/grid/octree_file.hpp"
 #include "ltp/sensing/surface.hpp"
 
 namespace ltp {
 
-/// A copy of an octree's occupied leaves; OctoMap itself stays out of this header.
+/// The occupied leaves of an octree, cut into its smallest voxels and kept as bits over their
+/// bounding box. Rays are walked exactly (OctoMap's `castRay` reports hits on voxels that the ray
+/// misses). Every constructor throws `std::invalid_argument` if the box has 2^31 voxels or more.
 class OctreeSurface final : public Surface {
  public:
-  /// Reads a `.bt` or `.ot` file. Throws `std::invalid_argument` that names the file for anything
-  /// malformed.
+  explicit OctreeSurface(const OctreeLeaves& octree);
+  /// Reads a `.bt` or `.ot` file; errors name the file.
   explicit OctreeSurface(const std::string& path);
   /// Voxels of edge `resolution` [m] that hold the given points, shape (N, 3).
   OctreeSurface(const PathRef& points, double resolution);
-  ~OctreeSurface() override;
 
-  double resolution() const;  ///< edge of the smallest voxel [m]
-  std::int64_t size() const;  ///< occupied leaves
+  double resolution() const { return voxels_.frame().cell().x(); }  ///< edge of a voxel [m]
+  std::int64_t size() const { return size_; }                       ///< occupied voxels
+  const OccupancyGrid& voxels() const { return voxels_; }
+
   RayHit cast(const Point& origin, const Point& direction, double max_range) const override;
 
  private:
-  struct Impl;
-  std::unique_ptr<const Impl> impl_;
+  OccupancyGrid voxels_;
+  std::int64_t size_;
 };
 
 }  // namespace ltp

@@ -12,34 +12,55 @@ namespace ltp {
 
 /// Where a ray first meets a surface.
 struct RayHit {
-  double range =
-      std::numeric_limits<double>::infinity();  ///< from the ray's origin [m]; inf: no hit
+  double range = std::numeric_limits<double>::infinity();  ///< from the ray's origin [m]; inf: none
   /// The point hit, moved into the solid by `kHitDepth` along the inward normal of the face hit, so
-  /// that rounding it to a cell finds the solid's cell and never the free one before it.
+  /// that rounding it to a cell finds the solid's cell and never the free one before it. It also
+  /// keeps `kHitMargin` from the other faces of the column or voxel hit.
   Point inside = Point::Constant(std::numeric_limits<double>::quiet_NaN());
 
   bool hit() const { return range < std::numeric_limits<double>::infinity(); }
 };
 
-inline constexpr double kHitDepth = 1e-3;  ///< [m]
+inline constexpr double kHitDepth = 1e-3;   ///< [m]
+inline constexpr double kHitMargin = 1e-6;  ///< [m]; far above rounding, far below any cell
 
+/// The beams of one azimuth. They share a ground track; only their slopes differ.
+class BeamFan {
+ public:
+  struct Beam {
+    double slope;    ///< metres up per metre along the ground
+    double run;      ///< metres along the ground per metre up; inf for a level beam
+    double cosine;   ///< of the elevation
+    double sine;     ///< of the elevation
+    double stretch;  ///< metres along the beam per metre along the ground
+  };
+
+  /// @param elevations  ascending [rad], each in (-pi/2, pi/2)
+  explicit BeamFan(const std::vector<double>& elevations);
+
+  int size() const { return static_cast<int>(beams_.size()); }
+  const Beam& operator[](int row) const { return beams_[row]; }
+
+ private:
+  std::vector<Beam> beams_;
+};
+
+/// A ray touches a surface's solid when it enters its interior: one that only grazes a face, an
+/// edge or a corner goes on. A ray that starts inside the solid hits at range 0.
 class Surface {
  public:
   virtual ~Surface() = default;
 
   /// The first hit of the ray from `origin` [m] along the unit vector `direction`, nearer than
-  /// `max_range` [m]. A ray that starts inside the solid hits at range 0.
+  /// `max_range` [m]. All finite; not checked.
   virtual RayHit cast(const Point& origin, const Point& direction, double max_range) const = 0;
 
-  /// All beams of one azimuth at once: directions (cos(e) * heading, sin(e)) for ascending
-  /// elevations e.
+  /// All beams of one azimuth at once: directions (cosine * heading, sine).
   /// @param heading  unit vector in the plane (x, y)
-  /// @param elevations  ascending [rad], each in (-pi/2, pi/2)
-  /// @param hits  one per elevation, resized
+  /// @param hits     one a beam, resized
   /// The default casts one by one; a height surface sweeps the horizon once.
-  virtual void cast_fan(const Point& origin, const Eigen::Vector2d& heading,
-                        const std::vector<double>& elevations, double max_range,
-                        std::vector<RayHit>& hits) const;
+  virtual void cast_fan(const Point& origin, const Eigen::Vector2d& heading, const BeamFan& fan,
+                        double max_range, std::vector<RayHit>& hits) const;
 };
 
 }  // namespace ltp

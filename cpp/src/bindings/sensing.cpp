@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Floor 2 in Python: surfaces, the LiDAR and its scans.
+#include <pybind11/numpy.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "bindings.hpp"
+#include "ltp/sensing/height_surface.hpp"
+#include "ltp/sensing/lidar.hpp"
+#include "ltp/sensing/octree_surface.hpp"
+
+namespace {
+
+using ReleaseGil = py::call_guard<py::gil_scoped_release>;
+
+ltp::RayHit cast(const ltp::Surface& surface, const ltp::Point& origin, const ltp::Point& direction,
+                 double max_range) {
+  ltp::check::finite("origin", origin);
+  if (!(std::abs(direction.norm() - 1.0) < 1e-6)) {
+    ltp::check::fail("direction", direction.transpose(), "a unit vector");
+  }
+  ltp::check::positive("max_range", max_range);
+  return surface.cast(origin, direction, max_range);
+}
+
+/// In pieces, so that Ctrl-C gets through.
+py::array_t<double> clearance(const ltp::HeightSurface& surface, const ltp::PathRef& points,
+                              double max_distance) {
+  constexpr Eigen::Index kPiece = 4096;
+  require_finite("points", points);
+  ltp::check::not_negative("max_distance", max_distance);
+  py::array_t<double> distances(points.rows());
+  double* out = distances.mutable_data();
+  for (Eigen::Index begin = 0; begin < points.rows(); begin += kPiece) {
+    {
+      const py::gil_scoped_release release;
+      const Eigen::Index end = std::min(begin + kPiece, points.rows());
+      for (Eigen::Index n = begin; n < end; ++n) {
+        out[n] = surface.clearance(points.row(n).transpose(), max_distance);
+      }
+    }
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+  return distances;
+}
+
+/// A read-only (N, 3) view of a scan's points that keeps the scan alive.
+template <std::vector<ltp::Point> ltp::Scan::*kPoints>
+py::array points_view(const py::object& self) {
+  static_assert(sizeof(ltp::Point) == 3 * sizeof(double));
+  const std::vector<ltp::Point>& points = self.cast<const ltp::Scan&>().*kPoints;
+  const auto rows = static_cast<py::ssize_t>(points.size());
+  py::array_t<double> view({rows, py::ssize_t{3}}, rows > 0 ? points.front().data() : nullptr,
+                           self);
+  view.attr("flags").attr("writeable") = false;
+  return view;
+}
+
+void bind_surfaces(py::module_& m) {
+  py::class_<ltp::RayHit>(m, "RayHit", "Where a ray first meets a surface.")
+      .def_readonly("range", &ltp::RayHit::range, "from the ray's origin [m]; inf: no hit")
+      .def_readonly("inside", &ltp::RayHit::inside,
+                    "(3,), the point hit, moved 1 mm into the solid through the face hit; NaN: no "
+                    "hit")
+      .def_property_readonly("hit", &ltp::RayHit::hit, "whether there is one");
+
+  py::class_<ltp::Surface>(m, "Surface", "Something that a ray can hit.")
+      .def("cast", &cast, "origin"_a, "direction"_a, "max_range"_a,
+           "The first hit nearer than max_range [m] of the ray from origin (3,) along the unit "
+           "vector\ndirection (3,). A ray that starts inside the solid hits at range 0.");
+
+  py::class_<ltp::HeightSurface, ltp::Surface>(
+      m, "HeightSurface",
+      "The exact surface of a height raster: each cell is a solid column from below everything up\n"
+      "to its height. Outside the raster there is nothing.")
+      .def(py::init<ltp::Raster>(), "heights"_a, ReleaseGil(), "heights: above the datum [m].")
+      .def_property_readonly("heights", &ltp::HeightSurface::heights,
+                             py::return_value_policy::reference_internal)
+      .def("first_collision", &ltp::HeightSurface::first_collision, py::arg("path").noconvert(),
+           ReleaseGil(),
+           "Arc length [m] at which a path (N, 3), float64, first touches the solid, exactly along "
+           "its\nsegments; None if it never does. Grazing a top or a wall touches it.")
+      .def("clearance", &clearance, py::arg("points").noconvert(), "max_distance"_a,
+           "(N,): distance [m] from points (N, 3), float64, to the solid, 0 inside it, at most\n"
+           "max_distance.")
+      .def("occupancy", &ltp::HeightSurface::occupancy, "frame"_a, ReleaseGil(),
+           "OccupancyGrid of the cells that hold any of the solid: what a perfect and complete "
+           "sensor\nwould map.");
+
+  py::class_<ltp::OctreeSurface, ltp::Surface>(
+      m, "OctreeSurface", "The occupied voxels of an OctoMap octree; rays are walked exactly.")
+      .def(py::init([](const std::filesystem::path& path) {
+             return std::make_unique<ltp::OctreeSurface>(path.string());
+           }),
+           "path"_a, ReleaseGil(),
+           "Reads a .bt or .ot file. ValueError names the file and what is wrong with it.")
+      .def(py::init<const ltp::PathRef&, double>(), py::arg("points").noconvert(), "resolution"_a,
+           ReleaseGil(), "Voxels of edge resolution [m] that hold points (N, 3), float64 [m].")
+      .def_property_readonly("resolution", &ltp::OctreeSurface::resolution, "edge of a voxel [m]")
+      .def_property_readonly("size", &ltp::OctreeSurface::size, "occupied voxels")
+      .def_property_readonly("voxels", &ltp::OctreeSurface::voxels,
+                             py::return_value_policy::reference_internal,
+                             "OccupancyGrid over their bounding box");
+}
+
+void bind_options(py::module_& m) {
+  using Pattern = ltp::LidarPattern;
+  auto pattern = py::class_<Pattern>(
+      m, "LidarPattern",
+      "The rays of one revolution, in the sensor's frame (x forward, y left, z up).");
+  pattern.def(py::init(&from_keywords<Pattern>))
+      .def_readwrite("azimuths", &Pattern::azimuths, "rays a row, evenly over the range, >= 1")
+      .def_readwrite("azimuth_from_deg", &Pattern::azimuth_from_deg,
+                     "first azimuth, counter-clockwise from x [deg]")
+      .def_readwrite("azimuth_to_deg", &Pattern::azimuth_to_deg,
+                     "last azimuth; a full circle stops one step short [deg]")
+      .def_readwrite("rows", &Pattern::rows, "rows, evenly over the range, both ends, >= 1")
+      .def_readwrite("elevation_from_deg", &Pattern::elevation_from_deg,
+                     "lowest row, and the only one if rows = 1; > -90 [deg]")
+      .def_readwrite("elevation_to_deg", &Pattern::elevation_to_deg, "highest row; < 90 [deg]")
+      .def("check", &Pattern::check, "Raises `ValueError` that names the field.");
+  list_fields(pattern, {"azimuths", "azimuth_from_deg", "azimuth_to_deg", "rows",
+                        "elevation_from_deg", "elevation_to_deg"});
+
+  using Options = ltp::LidarOptions;
+  auto options = py::class_<Options>(m, "LidarOptions", "Settings of the LiDAR.");
+  options.def(py::init(&from_keywords<Options>))
+      .def_readwrite("pattern", &Options::pattern, "which rays")
+      .def_readwrite("max_range", &Options::max_range, "a return at or beyond it is no return [m]")
+      .def_readwrite("range_noise_sd", &Options::range_noise_sd,
+                     "standard deviation of a range [m]")
+      .def_readwrite("drop_out", &Options::drop_out, "probability that a return is lost, in [0, 1]")
+      .def_readwrite("seed", &Options::seed, "of noise and drop-out")
+      .def("check", &Options::check, "Raises `ValueError` that names the field.");
+  list_fields(options, {"pattern", "max_range", "range_noise_sd", "drop_out", "seed"});
+}
+
+void bind_scan(py::module_& m) {
+  using Statistics = ltp::ScanStatistics;
+  auto statistics = py::class_<Statistics>(
+      m, "ScanStatistics", "What became of a scan's rays; the counts add up to all of them.");
+  statistics.def_readonly("hits", &Statistics::hits, "returns nearer than the maximum range")
+      .def_readonly("misses", &Statistics::misses,
+                    "no return: +inf, or at or beyond the maximum range")
+      .def_readonly("invalid", &Statistics::invalid, "NaN, 0, negative or -inf")
+      .def_readonly("dropped", &Statistics::dropped, "returns lost to drop-out");
+  list_fields(statistics, {"hits", "misses", "invalid", "dropped"});
+
+  py::class_<ltp::Scan>(m, "Scan", "One revolution of a LiDAR, in the world frame.")
+      .def_readonly("origin", &ltp::Scan::origin, "(3,), of all its rays [m]")
+      .def_property_readonly("hits", &points_view<&ltp::Scan::hits>,
+                             "(N, 3), end points of the returns [m]; a read-only view")
+      .def_property_readonly("misses", &points_view<&ltp::Scan::misses>,
+                             "(M, 3), where rays without a return end, at the maximum range [m]; a "
+                             "read-only view")
+      .def_readonly("statistics", &ltp::Scan::statistics);
+}
+
+}  // namespace
+
+void bind_sensing(py::module_& m) {
+  bind_surfaces(m);
+  bind_options(m);
+  bind_scan(m);
+
+  py::class_<ltp::Lidar>(m, "Lidar", "A scanning LiDAR. May be used from several threads at once.")
+      .def(py::init<const ltp::LidarOptions&>(), "options"_a = ltp::LidarOptions(),
+           "ValueError names the option that is wrong.")
+      .def_property_readonly("options", &ltp::Lidar::options, py::return_value_policy::copy)
+      .def_property_readonly("directions", &ltp::Lidar::directions,
+                             py::return_value_policy::reference_internal,
+                             "(azimuths * rows, 3), unit vectors in the sensor frame: azimuth by "
+                             "azimuth, rows ascending; a\nread-only view")
+      .def(
+          "scan",
+          [](const ltp::Lidar& lidar, const ltp::Surface& surface, const ltp::Pose& pose,
+             std::uint64_t sequence) {
+            auto scan = std::make_unique<ltp::Scan>();
+            lidar.scan(surface, pose, sequence, *scan);
+            return scan;
+          },
+          "surface"_a, "pose"_a, "sequence"_a = 0, ReleaseGil(),
+          "Scans a surface. sequence numbers the scan: noise differs from scan to scan and repeats "
+          "from\nrun to run.")
+      .def(
+          "from_ranges",
+          [](const ltp::Lidar& lidar, const Eigen::Ref<const Eigen::VectorXd>& ranges,
+             const ltp::Pose& pose) {
+            auto scan = std::make_unique<ltp::Scan>();
+            lidar.from_ranges(ranges, pose, *scan);
+            return scan;
+          },
+          "ranges"_a, "pose"_a, ReleaseGil(),
+          "The scan that a real sensor's ranges (azimuths * rows,) [m] mean, in the order of\n"
+          "directions. NaN, 0, negative and -inf are invalid; +inf and anything at or beyond the\n"
+          "maximum range is a miss.");
+}

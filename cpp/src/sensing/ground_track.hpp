@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The track of a ray over the squares of a raster: which boundaries it crosses, and when.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ltp/grid/raster.hpp"
+
+namespace ltp::sensing {
+
+/// A direction with a smaller component than this runs parallel to the axis.
+inline constexpr double kParallel = 1e-12;
+
+/// One axis of a track. Every crossing time comes from `time` alone, so whoever asks for the same
+/// boundary gets the same number, however he came there.
+struct TrackAxis {
+  TrackAxis(double origin, double direction, double raster_origin, double cell, int count)
+      : start((origin - raster_origin) / cell), cells(count) {
+    if (std::abs(direction) < kParallel) return;
+    step = direction > 0.0 ? 1 : -1;
+    rate = direction / cell;
+    inverse = cell / direction;
+  }
+
+  /// When the track crosses the boundary below cell `boundary` [m along it].
+  double time(double boundary) const { return (boundary - start) * inverse; }
+
+  /// When it enters and leaves the raster's slab.
+  double enter() const {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (step == 0) return start >= 0.0 && start < cells ? -kInfinity : kInfinity;
+    return time(step > 0 ? 0 : cells);
+  }
+  double leave() const {
+    return step == 0 ? std::numeric_limits<double>::infinity() : time(step > 0 ? cells : 0);
+  }
+
+  /// The cell it runs in just after time `t`, which must lie within the slab. The division guesses,
+  /// the crossing times decide.
+  int cell_after(double t) const {
+    int cell = static_cast<int>(std::clamp(start + t * rate, 0.0, cells - 1.0));
+    if (step > 0) {
+      while (cell + 1 < cells && time(cell + 1) <= t) ++cell;
+      while (cell > 0 && time(cell) > t) --cell;
+    } else if (step < 0) {
+      while (cell > 0 && time(cell) <= t) --cell;
+      while (cell + 1 < cells && time(cell + 1) > t) ++cell;
+    }
+    return cell;
+  }
+
+  double start;          ///< [cells]
+  double rate = 0.0;     ///< cells per metre of the track
+  double inverse = 0.0;  ///< metres of the track per cell
+  int step = 0;          ///< -1, 0 (parallel) or 1
+  int cells;             ///< of the raster along this axis
+};
+
+/// Both axes, and the part of the track that lies over the raster, from the origin on.
+struct GroundTrack {
+  GroundTrack(const Raster& raster, double origin_x, double origin_y, double direction_x,
+              double direction_y)
+      : x(origin_x, direction_x, raster.origin().x(), raster.cell(), raster.nx()),
+        y(origin_y, direction_y, raster.origin().y(), raster.cell(), raster.ny()),
+        leave(std::min(x.leave(), y.leave())) {
+    const double enter_x = x.enter();
+    const double enter_y = y.enter();
+    if (enter_x >= 0.0 || enter_y >= 0.0) axis = enter_x >= enter_y ? 0 : 1;
+    enter = std::max({0.0, enter_x, enter_y});
+  }
+
+  bool crosses() const { return enter < leave; }
+
+  TrackAxis x;
+  TrackAxis y;
+  double enter;   ///< [m]
+  double leave;   ///< [m]
+  int axis = -1;  ///< the face through which it enters the raster: 0: x, 1: y, -1: starts inside
+};
+
+}  // namespace ltp::sensing
