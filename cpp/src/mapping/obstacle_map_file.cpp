@@ -59,11 +59,14 @@ void ObstacleMap::load(const std::string& path) {
   if (!(std::abs(octree.resolution - voxel_size()) <= kResolutionTolerance * voxel_size())) {
     std::ostringstream expected;
     expected << "the map's voxel size, " << voxel_size() << " m";
-    check::fail(path + ": resolution", octree.resolution, expected.str().c_str());
+    check::fail("octree file '" + path + "': resolution", octree.resolution,
+                expected.str().c_str());
   }
   // From here on nothing throws.
   for (const OctreeLeaf& leaf : octree.leaves) {
-    const bool occupied = leaf.log_odds > 0.0;
+    const bool occupied = leaf.occupied();
+    // OctoMap takes log-odds of 0 for occupied, carving for unknown.
+    const double log_odds = occupied && leaf.log_odds <= 0.0 ? one_hit() : leaf.log_odds;
     if (!occupied && !carver_) continue;
     const Box box = voxels_in(leaf, voxels_.frame(), octree.resolution);
     for (int x = box.low.x(); x < box.high.x(); ++x) {
@@ -72,8 +75,8 @@ void ObstacleMap::load(const std::string& path) {
           const Cell voxel(x, y, z);
           if (carver_) {
             const double known = carver_->log_odds(voxel);
-            if (occupied) carver_->set_log_odds(voxel, std::max(known, leaf.log_odds));
-            if (!occupied && known == 0.0) carver_->set_log_odds(voxel, leaf.log_odds);
+            if (occupied) carver_->set_log_odds(voxel, std::max(known, log_odds));
+            if (!occupied && known == 0.0) carver_->set_log_odds(voxel, log_odds);
           }
           if (occupied && !voxels_.blocked(voxel)) {
             voxels_.set(voxel);

@@ -68,7 +68,9 @@ class ObstacleMap {
   double log_odds_at(const Point& point) const;
 
   /// Writes OctoMap's `.bt` (occupied or free) or `.ot` (log-odds), by the file's extension;
-  /// atomically. Without carving there are only occupied voxels in it.
+  /// atomically. Without carving there are only occupied voxels in it. Throws
+  /// `std::invalid_argument` for another extension or a map further than 32768 voxels from the
+  /// origin, which OctoMap cannot hold; `std::runtime_error` if the file cannot be written.
   void save(const std::string& path) const;
   /// Adds what a `.bt` or `.ot` file knows about the window: its occupied voxels and, with carving,
   /// the free ones that the map knows nothing about. The file's resolution must be the voxel size.

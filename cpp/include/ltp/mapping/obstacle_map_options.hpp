@@ -12,10 +12,10 @@ namespace ltp {
 struct ObstacleMapOptions {
   Point cell = Point(2, 2, 4);  ///< edges of a planning cell [m], multiples of the smallest one
   std::array<int, 3> dims = {200, 200, 40};  ///< planning cells along x, y, z
-  double inflation_radius =
-      1.0;  ///< a cell this near to an occupied cell is blocked [m]; 0: only those occupied
-  double max_range =
-      50.0;  ///< a hit at or beyond this distance from the scan's origin marks nothing [m]
+  /// A cell this near to an occupied cell is blocked [m]; 0: only the occupied ones.
+  double inflation_radius = 1.0;
+  /// A hit at or beyond this distance from the scan's origin marks nothing [m].
+  double max_range = 50.0;
 
   /// Learn from what rays passed, too. The paper's map does not: what was hit stays until it leaves
   /// the window.
@@ -24,10 +24,11 @@ struct ObstacleMapOptions {
   /// between two beams never vanishes, and an occupied voxel stays so until it leaves the window.
   /// False: OctoMap's rule, where three passing rays erase a hit; for obstacles that move.
   bool keep_hits = true;
-  double hit_log_odds = 0.85;   ///< added to a voxel's log-odds by a hit (OctoMap's default), > 0
-  double miss_log_odds = -0.4;  ///< added by a ray that passes (OctoMap's default), < 0
-  double min_log_odds = -2.0;   ///< clamping (OctoMap's default), < 0
-  double max_log_odds = 3.5;    ///< clamping (OctoMap's default), > 0
+  // OctoMap's defaults, rounded.
+  double hit_log_odds = 0.85;   ///< added to a voxel's log-odds by a hit, > 0
+  double miss_log_odds = -0.4;  ///< added by a ray that passes, < 0
+  double min_log_odds = -2.0;   ///< clamping, < 0
+  double max_log_odds = 3.5;    ///< clamping, > 0
 
   /// Voxels along each edge of a planning cell; a voxel is a cube of the smallest edge.
   std::array<int, 3> voxels_per_cell() const;

@@ -1,0 +1,291 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The obstacle map from Python: a set of voxels, its inflation, its rolling window, its files."""
+
+import itertools
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from ltp._core import (
+    GridFrame,
+    InsertStatistics,
+    ObstacleMap,
+    ObstacleMapOptions,
+    OccupancyGrid,
+    inflate,
+)
+
+CELL = np.array([2.0, 2.0, 4.0])
+NO_POINTS = np.empty((0, 3))
+
+
+def small_map(centre: tuple[float, float, float] = (0, 0, 0), **options: object) -> ObstacleMap:
+    """A map of 20 x 16 x 10 cells that sees 30 m far."""
+    return ObstacleMap(ObstacleMapOptions(dims=(20, 16, 10), max_range=30.0, **options), centre)
+
+
+def slow_inflation(blocked: np.ndarray, cell: np.ndarray, radius: float) -> np.ndarray:
+    """Box by box."""
+    out = blocked.copy()
+    sources = np.argwhere(blocked)
+    for index in np.ndindex(blocked.shape):
+        gaps = np.maximum(np.abs(sources - index) - 1, 0) * cell
+        near = np.linalg.norm(gaps, axis=1) <= radius * (1 + 1e-9)
+        out[index] |= radius > 0 and bool(near.any())
+    return out
+
+
+@settings(deadline=None, max_examples=60)
+@given(
+    shape=st.tuples(st.integers(1, 6), st.integers(1, 6), st.sampled_from([1, 2, 63, 64, 65, 80])),
+    cell=st.tuples(*[st.sampled_from([0.5, 1.0, 2.0, 4.0])] * 3),
+    radius=st.sampled_from([0.0, 0.25, 1.0, 2.0, 3.3]),
+    seed=st.integers(0, 2**32 - 1),
+)
+def test_inflation_is_the_distance_between_boxes(
+    shape: tuple[int, int, int], cell: tuple[float, float, float], radius: float, seed: int
+) -> None:
+    rng = np.random.default_rng(seed)
+    blocked = rng.random(shape) < 3.0 / np.prod(shape)
+    grid = OccupancyGrid.from_array(blocked, GridFrame((1, 2, 3), cell, shape))
+    inflated = inflate(grid, radius)
+    assert inflated.frame == grid.frame
+    np.testing.assert_array_equal(
+        inflated.to_array(), slow_inflation(blocked, np.array(cell), radius)
+    )
+    np.testing.assert_array_equal(grid.to_array(), blocked)
+
+
+@settings(deadline=None, max_examples=60)
+@given(
+    moves=st.lists(
+        st.tuples(*[st.one_of(st.integers(-3, 3), st.integers(-25, 25))] * 3),
+        min_size=1,
+        max_size=12,
+    ),
+    carve=st.booleans(),
+    seed=st.integers(0, 2**32 - 1),
+)
+def test_cells_that_come_back_are_unknown(
+    moves: list[tuple[int, int, int]], carve: bool, seed: int
+) -> None:
+    """Whatever way the window takes, the map is the set of voxels hit since they last entered."""
+    rng = np.random.default_rng(seed)
+    obstacles = small_map(carve_free_space=carve)
+    centre = np.zeros(3)
+    hit: set[tuple[int, ...]] = set()
+    for move in moves:
+        shift = obstacles.recentre(centre + np.array(move) * CELL)
+        np.testing.assert_array_equal(shift, move)
+        centre += np.array(move) * CELL
+        low = np.array(obstacles.voxels.frame.origin) / 2.0
+        high = np.array(obstacles.voxels.frame.upper) / 2.0
+        hit = {v for v in hit if (low <= v).all() and (v < high).all()}
+
+        points = centre + rng.normal(scale=9.0, size=(15, 3))
+        statistics = obstacles.insert(centre, points)
+        near = np.linalg.norm(points - centre, axis=1) < 30.0
+        voxels = np.floor(points / 2.0)
+        inside = near & (low <= voxels).all(axis=1) & (voxels < high).all(axis=1)
+        hit |= {tuple(int(x) for x in voxel) for voxel in voxels[inside]}
+        assert statistics.marked == inside.sum()
+        assert statistics.outside == (near & ~inside).sum()
+        assert statistics.out_of_range == (~near).sum()
+
+        found = np.argwhere(obstacles.voxels.to_array()) + np.round(low).astype(int)
+        assert {tuple(int(x) for x in voxel) for voxel in found} == hit
+        pairs = obstacles.voxels.to_array().reshape(20, 16, 10, 2)
+        np.testing.assert_array_equal(obstacles.occupied.to_array(), pairs.any(axis=3))
+        assert obstacles.blocked == inflate(obstacles.occupied, 1.0)
+
+
+def test_strange_points_are_counted_not_refused() -> None:
+    obstacles = small_map()
+    hits = np.array(
+        [
+            [np.nan, 0, 0],
+            [0, np.inf, 0],
+            [0, 0, -np.inf],
+            [30.0, 0, 0],  # exactly the maximum range
+            [1e300, 0, 0],
+            [0, 0, 25.0],  # above the window
+            [-5.0, -5.0, -5.0],
+            [-5.1, -5.1, -5.1],
+        ]
+    )
+    statistics = obstacles.insert((0, 0, 0), hits, np.array([[np.nan, 1, 1], [1, 1, 1]]))
+    assert statistics.invalid == 4
+    assert statistics.out_of_range == 2
+    assert statistics.outside == 1
+    assert statistics.marked == 2
+    assert statistics.new_cells == 1
+    assert statistics.erased_cells == 0
+    assert obstacles.occupied.count() == 1
+    assert obstacles.blocked.count() == 27
+    assert isinstance(statistics, InsertStatistics)
+    assert "marked=2" in repr(statistics)
+
+
+def test_a_pole_survives_unless_octomaps_rule_is_chosen() -> None:
+    sensor, pole = np.array([1.0, 1.0, 1.0]), np.array([[11.0, 1.0, 1.0]])
+    wall = np.array([[19.0, 1.0, 1.0]])
+    for keep, expected in ((True, [True] * 4), (False, [True, True, True, False])):
+        obstacles = small_map(carve_free_space=True, keep_hits=keep)
+        obstacles.insert(sensor, pole)
+        seen = [bool(obstacles.occupied.blocked_at(pole)[0])]
+        for _ in range(3):
+            obstacles.insert(sensor, wall)
+            seen.append(bool(obstacles.occupied.blocked_at(pole)[0]))
+        assert seen == expected
+        assert obstacles.log_odds_at((5, 1, 1)) == pytest.approx(-1.6)
+        assert obstacles.log_odds_at((100, 1, 1)) == 0.0
+
+
+def test_views_follow_the_map_and_keep_it_alive() -> None:
+    obstacles = small_map()
+    blocked = obstacles.blocked
+    columns = blocked.columns
+    assert not columns.flags.writeable
+    obstacles.insert((0, 0, 0), np.array([[5.0, 5.0, 5.0]]))
+    del obstacles
+    assert blocked.count() == 27
+    del blocked
+    assert sum(int(word).bit_count() for word in columns.ravel()) == 27
+
+
+def test_arrays_that_would_be_copied_are_refused() -> None:
+    obstacles = small_map()
+    points = np.array([[5.0, 5.0, 5.0], [6.0, 6.0, 6.0]])
+    for wrong in (
+        points.astype(np.float32),
+        points.astype(int),
+        np.asfortranarray(points),
+        points[:, :2],
+        points.tolist(),
+        None,
+    ):
+        with pytest.raises(TypeError):
+            obstacles.insert((0, 0, 0), wrong)
+        if wrong is not None:
+            with pytest.raises(TypeError):
+                obstacles.insert((0, 0, 0), NO_POINTS, wrong)
+    assert obstacles.voxels.count() == 0
+    assert obstacles.insert((0, 0, 0), points, None).marked == 2
+    assert obstacles.insert((0, 0, 0), points[::2], NO_POINTS).marked == 1  # rows may be strided
+    assert obstacles.insert((0, 0, 0), points[0]).marked == 1  # (3,) is one point
+
+
+def test_wrong_arguments_are_named() -> None:
+    for field, value in (
+        ("cell", (2.0, 2.0, 3.0)),
+        ("cell", (0.0, 2.0, 4.0)),
+        ("dims", (0, 10, 10)),
+        ("inflation_radius", float("nan")),
+        ("max_range", -1.0),
+        ("hit_log_odds", 0.0),
+        ("miss_log_odds", 0.4),
+        ("min_log_odds", 1.0),
+        ("max_log_odds", float("inf")),
+    ):
+        options = ObstacleMapOptions(**{field: value})
+        with pytest.raises(ValueError, match=rf"{field}.* = .*expected"):
+            ObstacleMap(options)
+        with pytest.raises(ValueError, match=field):
+            options.check()
+    with pytest.raises(TypeError, match="inflation"):
+        ObstacleMapOptions(inflation=1.0)
+    obstacles = small_map()
+    with pytest.raises(ValueError, match="origin"):
+        obstacles.insert((np.nan, 0, 0), NO_POINTS)
+    with pytest.raises(ValueError, match="centre"):
+        obstacles.recentre((0, np.inf, 0))
+    with pytest.raises(ValueError, match="centre"):
+        ObstacleMap(centre=(0, np.nan, 0))
+    with pytest.raises(ValueError, match="radius"):
+        inflate(obstacles.occupied, -1.0)
+
+
+def test_options_are_read_and_written_by_name() -> None:
+    options = ObstacleMapOptions(dims=(10, 12, 6), keep_hits=False)
+    options.cell = (1.0, 1.0, 3.0)
+    options.inflation_radius = 0.0
+    obstacles = ObstacleMap(options, (7.0, 0.0, 0.0))
+    options.max_range = 1.0  # the map has its own copy
+    assert obstacles.options.max_range == 50.0
+    assert obstacles.options.dims == [10, 12, 6]
+    np.testing.assert_array_equal(obstacles.options.cell, [1.0, 1.0, 3.0])
+    assert obstacles.voxel_size == 1.0
+    assert obstacles.voxels.frame.dims == [10, 12, 18]
+    np.testing.assert_array_equal(obstacles.voxels.frame.origin, obstacles.blocked.frame.origin)
+    assert all(hasattr(options, name) for name in ObstacleMapOptions.__fields__)
+
+
+@pytest.mark.parametrize("suffix", [".bt", ".ot"])
+@pytest.mark.parametrize("carve", [False, True])
+def test_a_file_brings_back_what_the_map_knew(tmp_path: Path, suffix: str, carve: bool) -> None:
+    rng = np.random.default_rng(11)
+    centre = np.array([-40.0, 30.0, 20.0])
+    obstacles = small_map((-40, 30, 20), carve_free_space=carve)
+    for _ in range(5):
+        obstacles.insert(centre, centre + rng.normal(scale=9.0, size=(40, 3)))
+    file = tmp_path / f"map{suffix}"
+    obstacles.save(file)
+    assert [path.name for path in tmp_path.iterdir()] == [file.name]
+
+    again = small_map((-40, 30, 20), carve_free_space=carve)
+    again.load(str(file))
+    for name in ("voxels", "occupied", "blocked"):
+        assert getattr(again, name) == getattr(obstacles, name)
+    voxels = obstacles.voxels.frame
+    free = 0
+    for index in itertools.product(*(range(n) for n in voxels.dims)):
+        known = obstacles.log_odds_at(voxels.centre(index))
+        loaded = again.log_odds_at(voxels.centre(index))
+        if suffix == ".ot":
+            assert loaded == pytest.approx(known, abs=1e-6)
+        else:
+            assert np.sign(loaded) == np.sign(known)
+        free += known < 0
+    assert (free > 100) == carve
+
+    # A window elsewhere takes what it holds of the file, and keeps what it has.
+    beside = small_map((-28, 30, 20), carve_free_space=carve)
+    beside.insert((-28, 30, 20), np.array([[-12.0, 30.0, 20.0]]))
+    beside.load(file)
+    shifted = obstacles.voxels.to_array()[6:]
+    expected = np.zeros_like(obstacles.voxels.to_array())
+    expected[: shifted.shape[0]] = shifted
+    expected[tuple(beside.voxels.frame.cell_of((-12.0, 30.0, 20.0)))] = True
+    np.testing.assert_array_equal(beside.voxels.to_array(), expected)
+
+
+def test_a_file_that_is_none_changes_nothing(tmp_path: Path) -> None:
+    obstacles = small_map()
+    obstacles.insert((0, 0, 0), np.array([[5.0, 5.0, 5.0], [-5.0, 5.0, 5.0]]))
+    whole = tmp_path / "whole.bt"
+    obstacles.save(whole)
+    before = obstacles.voxels.to_array()
+
+    truncated = tmp_path / "truncated.bt"
+    truncated.write_bytes(whole.read_bytes()[:-3])
+    empty = tmp_path / "empty.ot"
+    empty.write_bytes(b"")
+    finer = tmp_path / "finer.bt"
+    ObstacleMap(ObstacleMapOptions(cell=(1.0, 1.0, 1.0), dims=(4, 4, 4))).save(finer)
+    for file in (truncated, empty, finer, tmp_path / "missing.bt", tmp_path / "map.txt"):
+        with pytest.raises(ValueError, match=file.name):
+            obstacles.load(file)
+        np.testing.assert_array_equal(obstacles.voxels.to_array(), before)
+    with pytest.raises(ValueError, match="resolution = 1"):
+        obstacles.load(finer)
+    with pytest.raises(ValueError, match=r"map\.txt"):
+        obstacles.save(tmp_path / "map.txt")
+    with pytest.raises(ValueError, match=r"far\.bt.*32768"):
+        far = small_map((1e6, 0, 0))
+        far.insert((1e6, 0, 0), np.array([[1e6, 5.0, 5.0]]))
+        far.save(tmp_path / "far.bt")
+    with pytest.raises(RuntimeError, match="nowhere"):
+        obstacles.save(tmp_path / "nowhere" / "map.bt")
