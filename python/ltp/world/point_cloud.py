@@ -5,7 +5,6 @@
 import math
 import os
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -13,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import las_header
-from .archive import MAX_CELLS
 from .classes import LandClass
+from .cloud_layers import Bounds, Lattice, Layers
 from .fill import fill_linear, grow, wide_gaps
-from .geotiff import HEIGHTS, OBJECT_HEIGHT
+from .geotiff import OBJECT_HEIGHT
 from .metric_crs import crs_name, metric_crs
 from .optional import require
 from .world import Datum, World
@@ -24,18 +23,7 @@ from .world import Datum, World
 #: Unclassified returns higher than this above the ground are obstacles: cars, wires, masts [m].
 CLUTTER_HEIGHT = 0.5
 
-# ASPRS classes (LAS 1.4 R15, tables 9 and 10), and those of the French national survey from 64 on.
-_GROUND = (2, 8, 9, 10, 11)  # ground, its key points, water, rail, road surface
-_KINDS = {9: LandClass.WATER, 10: LandClass.RAIL, 11: LandClass.ROAD}
-_VEGETATION = (3, 4, 5)
-_STRUCTURES = (6, 13, 14, 15, 16, 17, 64)  # buildings, wires, masts, bridges, permanent objects
-_CLUTTER = (0, 1, 19, 20, 21, 22)  # never classified, unclassified, overhead, ignored, snow, ...
-_DROPPED = (7, 12, 18, 65, 66, 67)  # noise, overlap, high noise, artefacts, virtual points, other
-
 _CHUNK = 1_000_000  # points in memory at a time
-_CELLS_PER_POINT = 100  # with more, the extent in the header is a lie, or the cell a slip
-
-Bounds = tuple[float, float, float, float]
 
 
 def read(
@@ -84,8 +72,8 @@ def read(
     laspy = require("laspy", "reading LAS and LAZ")
     require("lazrs", "reading LAS and LAZ")
     header, chunks = _open(laspy, path)
-    lattice = _Lattice.around(path, header, cell, bounds)
-    layers = _Layers(lattice)
+    lattice = Lattice.around(path, header, cell, bounds)
+    layers = Layers(lattice)
     for chunk in chunks:
         layers.add(path, chunk, cropped=bounds is not None)
     if np.isnan(layers.ground()).all():
@@ -104,7 +92,7 @@ def read(
 
 
 def _interpret(
-    layers: "_Layers", max_gap: float
+    layers: Layers, max_gap: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.uint8]]:
     """Ground, surface and classes from what was returned in each cell."""
     seen = layers.seen
@@ -170,117 +158,3 @@ def _crs(path: Path, header: Any, given: str | None) -> str | None:
     except pyproj.exceptions.CRSError as error:
         raise ValueError(f"{path} has a CRS that nobody knows: {error}; give crs") from error
     return None if found is None else crs_name(metric_crs(found, f"the CRS of {path}"))
-
-
-@dataclass(frozen=True)
-class _Lattice:
-    """The cells of the world in the CRS of the survey."""
-
-    xmin: float
-    ymin: float
-    cell: float
-    shape: tuple[int, int]
-
-    @staticmethod
-    def around(path: Path, header: Any, cell: float, bounds: Bounds | None) -> "_Lattice":
-        if bounds is None:
-            (x0, y0), (x1, y1) = header.mins[:2], header.maxs[:2]
-            source = f"{path}: the extent in the header"
-        else:
-            x0, y0, x1, y1 = bounds
-            source = "bounds"
-        if not (np.isfinite([x0, y0, x1, y1]).all() and x0 <= x1 and y0 <= y1):
-            raise ValueError(f"{source} must be x_min, y_min, x_max, y_max, not {(x0, y0, x1, y1)}")
-        if bounds is not None and (x0 == x1 or y0 == y1):
-            raise ValueError(f"bounds must span an area, not {bounds}")
-        i0, j0 = math.floor(x0 / cell), math.floor(y0 / cell)
-        if bounds is None:  # a return on the northern rim needs a cell
-            nx, ny = math.floor(x1 / cell) - i0 + 1, math.floor(y1 / cell) - j0 + 1
-        else:
-            nx, ny = math.ceil(x1 / cell) - i0, math.ceil(y1 / cell) - j0
-        n_points = int(header.point_count)
-        most = MAX_CELLS if bounds is not None else min(MAX_CELLS, _CELLS_PER_POINT * n_points)
-        if nx * ny > most:
-            raise ValueError(
-                f"{source} needs {nx} x {ny} cells of {cell:g} m, more than {most:,} for "
-                f"{n_points:,} returns"
-            )
-        return _Lattice(i0 * cell, j0 * cell, cell, (nx, ny))
-
-
-class _Layers:
-    """What the returns of a survey say about each cell, gathered chunk by chunk."""
-
-    def __init__(self, lattice: _Lattice) -> None:
-        self.lattice = lattice
-        n = lattice.shape[0] * lattice.shape[1]
-        self._sum, self._count = np.zeros(n), np.zeros(n)
-        self._seen = np.zeros(n, dtype=bool)
-        self._tops = {group: np.full(n, -np.inf) for group in (_VEGETATION, _STRUCTURES, _CLUTTER)}
-        self._kinds = {kind: np.zeros(n, dtype=bool) for kind in _KINDS.values()}
-
-    def add(self, path: Path, points: Any, *, cropped: bool) -> None:
-        """Take in one chunk of returns; those outside the lattice only if it was cut out."""
-        lattice = self.lattice
-        x, y, z = (np.asarray(axis) for axis in (points.x, points.y, points.z))
-        kind = np.asarray(points.classification)
-        keep = ~np.isin(kind, _DROPPED) & ~np.asarray(points.withheld, dtype=bool)
-        keep &= (z >= HEIGHTS[0]) & (z <= HEIGHTS[1])
-        i = np.floor((x - lattice.xmin) / lattice.cell)
-        j = np.floor((y - lattice.ymin) / lattice.cell)
-        inside = (i >= 0) & (i < lattice.shape[0]) & (j >= 0) & (j < lattice.shape[1])
-        if not cropped and not inside[keep].all():
-            where = np.flatnonzero(keep & ~inside)[0]
-            raise ValueError(
-                f"{path} has a return at ({x[where]:.2f}, {y[where]:.2f}), outside of the extent "
-                "in its header"
-            )
-        keep &= inside
-        at = i[keep].astype(np.intp) * lattice.shape[1] + j[keep].astype(np.intp)
-        kind, z = kind[keep], z[keep]
-
-        self._seen[at] = True
-        is_ground = np.isin(kind, _GROUND)
-        n = self._seen.size
-        self._count += np.bincount(at[is_ground], minlength=n)
-        self._sum += np.bincount(at[is_ground], weights=z[is_ground], minlength=n)
-        known = {*_GROUND, *_VEGETATION, *_STRUCTURES}
-        for group, top in self._tops.items():
-            # A class that nobody knows is an obstacle as well.
-            of = ~np.isin(kind, list(known)) if group is _CLUTTER else np.isin(kind, group)
-            np.maximum.at(top, at[of], z[of])
-        for code, land in _KINDS.items():
-            self._kinds[land][at[kind == code]] = True
-
-    def _shaped(self, flat: NDArray[Any]) -> NDArray[Any]:
-        return flat.reshape(self.lattice.shape)
-
-    def ground(self) -> NDArray[np.float64]:
-        """(nx, ny) mean height of the ground returns [m], NaN where there is none."""
-        with np.errstate(invalid="ignore"):
-            return self._shaped(self._sum / self._count)
-
-    @property
-    def seen(self) -> NDArray[np.bool_]:
-        """(nx, ny) whether any return came from the cell."""
-        return self._shaped(self._seen)
-
-    @property
-    def vegetation(self) -> NDArray[np.float64]:
-        """(nx, ny) highest return of a plant [m], -inf where there is none."""
-        return self._shaped(self._tops[_VEGETATION])
-
-    @property
-    def structure(self) -> NDArray[np.float64]:
-        """(nx, ny) highest return of a building, bridge or other lasting object [m], or -inf."""
-        return self._shaped(self._tops[_STRUCTURES])
-
-    @property
-    def clutter(self) -> NDArray[np.float64]:
-        """(nx, ny) highest unclassified return [m], -inf where there is none."""
-        return self._shaped(self._tops[_CLUTTER])
-
-    @property
-    def kinds(self) -> dict[LandClass, NDArray[np.bool_]]:
-        """Where the survey says what the ground is, by class."""
-        return {kind: self._shaped(where) for kind, where in self._kinds.items()}
