@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The `ltp` application: its help, and how mistakes are told in one line."""
+
+import os
+from typing import Any
+
+import typer
+from rich.console import Console
+from typer.core import TyperGroup
+
+#: Set to anything, this environment variable lets a mistake show its whole traceback.
+TRACEBACK = "LTP_TRACEBACK"
+
+_INTERRUPTED = 130  # the shell's status of a command ended by Ctrl-C
+
+
+class PoliteGroup(TyperGroup):
+    """Tells a user's mistakes in one line, with exit status 2, instead of a traceback."""
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run the command."""
+        try:
+            return super().invoke(ctx)
+        except (typer.Exit, typer.Abort, BrokenPipeError):
+            raise  # no mistakes: the end of `--help`, `ltp ... | head`
+        except KeyboardInterrupt:
+            _complain("interrupted")
+            raise typer.Exit(_INTERRUPTED) from None
+        except (ValueError, OSError, ImportError, RuntimeError) as error:
+            if TRACEBACK in os.environ:
+                raise
+            _complain(f"error: {_one_line(error)}")
+            raise typer.Exit(2) from error
+
+
+app = typer.Typer(
+    name="ltp",
+    cls=PoliteGroup,
+    help="Local trajectory planning for autonomous UAV landing: fly missions over cities, "
+    "evaluate planners, draw the tables and figures. Lengths are metres, times seconds.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode="rich",
+)
+
+
+def _complain(text: str) -> None:
+    Console(stderr=True, highlight=False, soft_wrap=True).print(f"ltp: {text}", markup=False)
+
+
+def _one_line(error: BaseException) -> str:
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
+    return " ".join(str(error).split()) or type(error).__name__

@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""`ltp demo`: the built-in city, every planner, a table, a figure, a recording."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from .common import console, open_world, tell, workers
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+    app.command("demo")(demo)
+
+
+def demo(
+    out: Annotated[Path, typer.Option(help="Folder for all that is written.")] = Path("out/demo"),
+    paths: Annotated[int, typer.Option(help="Global paths flown by every planner.")] = 3,
+    seed: Annotated[int, typer.Option(help="Of the global paths.")] = 1,
+    processes: Annotated[int, typer.Option(help="To fly in; 0: one per processor.")] = 0,
+) -> None:
+    """Fly the built-in city with every planner: a table, a figure and a recording.
+
+    The flights are straight 500 m global paths at 50 m height that lead through buildings.
+    """
+    from ltp.config import MissionConfig
+    from ltp.evaluation.campaign import RECORDS, TABLE, Campaign, run_campaign
+    from ltp.evaluation.flights import mission_config
+    from ltp.evaluation.scenarios import ScenarioOptions, make_scenarios
+    from ltp.evaluation.variants import TABLE_I, Variant
+    from ltp.planners import PLANNERS
+    from ltp.sim import FlightRecord
+
+    from .evaluate import write_tables
+    from .flight import draw_summary, fly_recorded
+    from .progress import CampaignProgress
+
+    world, base = open_world("city"), MissionConfig()
+    scenarios = make_scenarios(world, ScenarioOptions(count=paths, seed=seed))
+    others = [name for name in PLANNERS if name not in {variant.planner for variant in TABLE_I}]
+    variants = [*TABLE_I, *(Variant(name, 0.5, 1.0) for name in others)]
+    console.print(
+        f"{world.name}: {paths} global paths at 50 m, through buildings; every planner",
+        markup=False,
+    )
+    campaign = Campaign(world, variants, scenarios, base)
+    rows = run_campaign(
+        campaign,
+        out,
+        processes=workers(processes),
+        keep_records=True,
+        observers=[CampaignProgress(console)],
+    )
+    drawn = {variant.planner: variant for variant in variants}  # of each planner the last
+    star = drawn.pop("lp-dijkstra")
+    record, sensed, recorded = fly_recorded(
+        world,
+        mission_config(base, star),
+        scenarios[0].global_path,
+        out / "demo.rrd",
+        None,
+        "recording LP-Dijkstra",
+    )
+    keys = {
+        flight.variant: flight.key for flight in campaign.flights() if flight.scenario.index == 0
+    }
+    kept = [FlightRecord.load(out / RECORDS / f"{keys[v]}.npz") for v in drawn.values()]
+    write_tables(rows, out)
+    draw_summary(world, [record, *kept], sensed, out / "demo.png")
+    tell("flights", out / TABLE)
+    tell("figure", out / "demo.png")
+    if recorded is not None:
+        tell("recording", recorded)
+        console.print(f"             open it with: ltp replay {recorded}", markup=False)

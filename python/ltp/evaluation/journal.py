@@ -1,0 +1,115 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""`Journal`: the finished flights of a campaign, appended one by one, safe against any kill."""
+
+import fcntl
+import json
+import os
+from io import FileIO
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from .rows import FlightRow, from_mapping, to_mapping
+
+_HEADER = {"format": "ltp.campaign.journal", "version": 1}
+
+
+class Journal:
+    """One JSON line a flight, flushed to the disk before the next; at most one writer at a time.
+
+    A kill in the middle of a line leaves a torn last line: it is cut off when the journal is opened
+    again, and that flight is flown again. Lines that were finished are never lost or repeated.
+
+    Raises:
+        ValueError: if the file is no journal, or a line other than the last is damaged.
+        RuntimeError: if another campaign is writing it.
+        OSError: from the file system.
+    """
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        self._path = Path(path)
+        self.rows: dict[str, FlightRow] = {}  # by key
+        # Unbuffered: after a failed write nothing is left behind that a later one would flush.
+        self._file: FileIO = self._path.open("a+b", buffering=0)
+        try:
+            self._lock()
+            self._read()
+        except BaseException:
+            self._file.close()
+            raise
+
+    def append(self, row: FlightRow) -> None:
+        """Keep a finished flight; it is on the disk when this returns.
+
+        Raises:
+            ValueError: if a flight of this key is there already.
+        """
+        if row.key in self.rows:
+            raise ValueError(f"the flight {row.key} is in {self._path} already")
+        self._write(to_mapping(row))
+        self.rows[row.key] = row
+
+    def close(self) -> None:
+        """Let the next campaign write."""
+        self._file.close()
+
+    def __enter__(self) -> "Journal":
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def _lock(self) -> None:
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise RuntimeError(f"another campaign is writing {self._path}") from None
+
+    def _read(self) -> None:
+        self._file.seek(0)
+        content = self._file.read()
+        whole = content.rfind(b"\n") + 1
+        lines = content[:whole].splitlines()
+        if lines and self._parse(1, lines[0]) != _HEADER:
+            raise ValueError(f"{self._path} is not the journal of a campaign")
+        if not lines and not json.dumps(_HEADER).encode().startswith(content):
+            raise ValueError(f"{self._path} is not the journal of a campaign")
+        for number, line in enumerate(lines[1:], start=2):
+            try:
+                row = from_mapping(self._parse(number, line))
+            except ValueError as error:
+                raise ValueError(
+                    f"{self._path}, line {number} is damaged ({error}): delete that line to fly "
+                    "its flight again"
+                ) from error
+            self.rows.setdefault(row.key, row)
+        self._file.truncate(whole)
+        if not lines:
+            self._write(_HEADER)
+
+    def _parse(self, number: int, line: bytes) -> dict[str, Any]:
+        try:
+            values = json.loads(line)
+        except ValueError as error:  # not JSON or not UTF-8
+            raise ValueError(f"{self._path}, line {number} is not JSON: {error}") from error
+        if not isinstance(values, dict):
+            raise ValueError(f"{self._path}, line {number} is not a JSON object")
+        return values
+
+    def _write(self, values: dict[str, Any]) -> None:
+        """Append a line whole; after a failure (a full disk) the file ends where it did before."""
+        end = self._file.seek(0, os.SEEK_END)
+        try:
+            line = json.dumps(values).encode() + b"\n"
+            while line:
+                line = line[self._file.write(line) :]
+            os.fsync(self._file.fileno())
+        except OSError:
+            self._file.truncate(end)
+            raise

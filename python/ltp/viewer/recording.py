@@ -1,0 +1,262 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""`FlightRecording`: an observer that writes a mission to a `.rrd` file for the rerun viewer."""
+
+import os
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ltp._core import OccupancyGrid, path_length, tally
+from ltp.sim.record import FlightRecord
+
+from .rerun_module import require_rerun
+from .scenery import Mesh, priority_mesh, surface_mesh
+
+if TYPE_CHECKING:
+    from ltp.sim.mission import Mission
+
+_SCAN_EVERY = 1.0  # [s]
+_CELLS_EVERY = 2.0  # [s]
+_MOST_HITS = 1200  # points of a scan that are kept
+
+_CYAN, _RED, _YELLOW = (0, 200, 230), (224, 33, 58), (255, 220, 0)
+_BLUE, _GREEN, _WHITE = (31, 139, 224), (24, 176, 123), (245, 245, 245)
+
+
+class FlightRecording:
+    """Writes one flight: world, window, scans, plans, flown path, priority map, penalty.
+
+    The file appears under its name when the flight has ended; used as a context manager, a flight
+    that fails leaves nothing behind. Scans and cells are thinned so that a 500 m flight stays below
+    20 MB. Nothing is sent anywhere.
+
+    Args:
+        path: of the recording, `.rrd`.
+
+    Raises:
+        ImportError: with the pip command, if rerun is not installed.
+        ValueError: if `path` does not end in .rrd.
+        OSError: if its folder cannot be written.
+    """
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        self._rr: Any = require_rerun()
+        self._path = Path(path)
+        if self._path.suffix != ".rrd":
+            raise ValueError(f"a recording's file must end in .rrd, not {os.fspath(path)!r}")
+        self._part = self._path.with_name(f".{self._path.name}.part")
+        self._part.open("wb").close()  # rerun only logs that it cannot write
+        self._stream: Any = None
+        self._plans = 0
+        self._events = 0
+        self._path_id = -1
+        self._window: NDArray[np.float64] | None = None
+        self._cells: tuple[int, bytes] = (0, b"")
+        self._next_scan = 0.0
+        self._next_cells = 0.0
+        self._flown: list[NDArray[np.float64]] = []
+
+    def __enter__(self) -> "FlightRecording":
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._close()
+        self._part.unlink(missing_ok=True)
+
+    def on_start(self, mission: "Mission") -> None:
+        """Write what stays as it is: world, priority map, global path."""
+        rr = self._rr
+        self._stream = rr.RecordingStream("ltp", send_properties=False)
+        self._stream.save(self._part, default_blueprint=self._blueprint(mission))
+        world = mission.world
+        self._static("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP)
+        self._static("world/surface", self._mesh(surface_mesh(world)))
+        self._static("world/priority", self._mesh(priority_mesh(world, mission.priority)))
+        note = f"# {world.name}\n\n{mission.config.planner}\n\n{world.attribution}"
+        self._static("about", rr.TextDocument(note, media_type=rr.MediaType.MARKDOWN))
+        path = mission.global_path
+        self._static("mission/global_path", rr.LineStrips3D([path], colors=_CYAN, radii=0.5))
+        self._static("mission/start", rr.Points3D(path[:1], colors=_RED, radii=3.0))
+        for name, colour in (
+            ("penalty/plan", _RED),
+            ("priority/flown_so_far", _BLUE),
+            ("priority/of_plan", _GREEN),
+            ("search/milliseconds", _YELLOW),
+        ):
+            label = name.partition("/")[2].replace("_", " ")
+            self._static(f"plots/{name}", rr.SeriesLines(colors=colour, names=label, widths=2.0))
+
+    def on_step(self, mission: "Mission") -> None:
+        """Write what has changed."""
+        self._stream.set_time("flight", duration=mission.time)
+        self._flown.append(np.array(mission.position))
+        self._log("uav", self._rr.Points3D(mission.position[None], colors=_WHITE, radii=2.0))
+        self._note_events(mission)
+        if mission.planner.plans_made != self._plans:
+            self._plans = mission.planner.plans_made
+            self._note_plans(mission)
+        if mission.planner.path_id != self._path_id:
+            self._path_id = mission.planner.path_id
+            self._note_path(mission)
+        if mission.time >= self._next_scan - 1e-9:
+            self._next_scan += _SCAN_EVERY
+            self._note_scan(mission)
+            self._note_flown(mission)
+        if mission.time >= self._next_cells - 1e-9:
+            self._next_cells += _CELLS_EVERY
+            self._note_map(mission)
+
+    def on_end(self, mission: "Mission", record: FlightRecord) -> None:
+        """Write the last state and give the file its name."""
+        self._note_flown(mission)
+        self._note_map(mission)
+        text = f"{record.outcome.value}: mean priority {record.mean_priority:.2f}, "
+        text += f"length ratio {record.length_ratio:.2f}, {len(record.dropped)} way-points dropped"
+        self._log("events", self._rr.TextLog(text, level="INFO"))
+        if record.collision is not None:
+            spot = np.array([record.collision])
+            self._log("mission/collision", self._rr.Points3D(spot, colors=_RED, radii=4.0))
+        self._close()
+        self._part.replace(self._path)
+
+    def _note_events(self, mission: "Mission") -> None:
+        planner = mission.planner
+        if planner.events_count != self._events:
+            for event in planner.events[self._events :]:
+                self._events += 1
+                fate = "reached" if event.reached else f"dropped: {event.reason.name.lower()}"
+                level = "INFO" if event.reached else "WARN"
+                text = f"way-point {event.index + 1} {fate}"
+                self._log("events", self._rr.TextLog(text, level=level))
+        elif self._flown[1:]:
+            return
+        goals = planner.way_points
+        colours = np.tile(np.array(_CYAN, dtype=np.uint8), (len(goals), 1))
+        for event in planner.events:
+            colours[event.index] = _GREEN if event.reached else _RED
+        self._log("mission/way_points", self._rr.Points3D(goals, colors=colours, radii=2.0))
+
+    def _note_plans(self, mission: "Mission") -> None:
+        for answer in mission.planner.plans:
+            plan = answer.plan
+            milliseconds = 1e3 * plan.stats.seconds
+            self._log("plots/search/milliseconds", self._rr.Scalars(milliseconds))
+            if len(plan.path):
+                self._log("plots/penalty/plan", self._rr.Scalars(plan.penalty))
+                self._log("plots/priority/of_plan", self._rr.Scalars(plan.tally.mean_priority))
+
+    def _note_path(self, mission: "Mission") -> None:
+        path = mission.planner.path
+        strips = [path] if len(path) else []
+        self._log("plan", self._rr.LineStrips3D(strips, colors=_YELLOW, radii=0.7))
+
+    def _note_scan(self, mission: "Mission") -> None:
+        hits = np.empty((0, 3)) if mission.scan is None else np.asarray(mission.scan.hits)
+        hits = hits[:: max(1, -(-len(hits) // _MOST_HITS))]
+        self._log("lidar", self._rr.Points3D(hits, colors=_RED, radii=0.25))
+
+    def _note_flown(self, mission: "Mission") -> None:
+        flown = np.array(self._flown)
+        if len(flown) > 1 and path_length(flown) > 0.0:
+            self._log("flown", self._rr.LineStrips3D([flown], colors=_BLUE, radii=0.8))
+            so_far = tally(flown, mission.priority).mean_priority
+            self._log("plots/priority/flown_so_far", self._rr.Scalars(so_far))
+
+    def _note_map(self, mission: "Mission") -> None:
+        grid = mission.planner.map.occupied
+        frame = grid.frame
+        if self._window is None or np.any(frame.origin != self._window):
+            self._window = np.array(frame.origin)
+            box = self._rr.Boxes3D(mins=[frame.origin], sizes=[frame.upper - frame.origin])
+            self._log("map/window", box)
+        centres = _cell_centres(grid)
+        state = (len(centres), centres.tobytes())
+        if state == self._cells:
+            return
+        self._cells = state
+        half = np.tile(np.array(frame.cell, dtype=np.float32) / 2.0, (len(centres), 1))
+        boxes = self._rr.Boxes3D(
+            centers=centres, half_sizes=half, colors=_by_height(centres), fill_mode="solid"
+        )
+        self._log("map/occupied", boxes)
+
+    def _mesh(self, mesh: Mesh) -> Any:
+        return self._rr.Mesh3D(
+            vertex_positions=mesh.vertices,
+            triangle_indices=mesh.triangles,
+            vertex_colors=mesh.colours,
+        )
+
+    def _log(self, entity: str, value: Any) -> None:
+        self._stream.log(entity, value)
+
+    def _static(self, entity: str, value: Any) -> None:
+        self._stream.log(entity, value, static=True)
+
+    def _close(self) -> None:
+        if self._stream is not None:
+            self._stream.flush()
+            self._stream.disconnect()
+            self._stream = None
+
+    def _blueprint(self, mission: "Mission") -> Any:
+        """A 3-D view that looks along the global path, the curves beside it."""
+        rrb: Any = require_rerun("rerun.blueprint")
+        start, end = mission.global_path[0], mission.global_path[-1]
+        along = (end - start) / np.linalg.norm(end - start)
+        eye = rrb.EyeControls3D(
+            position=start - 120.0 * along + (0.0, 0.0, 220.0),
+            look_target=start + 180.0 * along,
+            eye_up=(0.0, 0.0, 1.0),
+        )
+        view = rrb.Spatial3DView(
+            origin="/",
+            contents=["+ /**", "- /plots/**", "- /events"],
+            name=f"{mission.world.name}: {mission.config.planner}",
+            eye_controls=eye,
+            line_grid=False,
+            background=(236, 240, 244),
+        )
+        curves = rrb.Vertical(
+            rrb.TimeSeriesView(origin="/plots/penalty", name="penalty, Eq. (5)"),
+            rrb.TimeSeriesView(origin="/plots/priority", name="mean priority"),
+            rrb.TimeSeriesView(origin="/plots/search", name="search time [ms]"),
+            rrb.TextLogView(origin="/events", name="way-points"),
+            rrb.TextDocumentView(origin="/about", name="about"),
+        )
+        return rrb.Blueprint(
+            rrb.Horizontal(view, curves, column_shares=[3, 1]),
+            rrb.TimePanel(state="collapsed", timeline="flight"),
+            collapse_panels=True,
+        )
+
+
+def _cell_centres(grid: OccupancyGrid) -> NDArray[np.float32]:
+    """(n, 3) centres of the occupied cells [m]."""
+    columns = grid.columns
+    frame = grid.frame
+    found = []
+    ix, iy, word = np.nonzero(columns)
+    bits = columns[ix, iy, word]
+    for bit in range(64):
+        here = (bits >> np.uint64(bit) & np.uint64(1)).astype(bool)
+        if here.any():
+            found.append(np.stack([ix[here], iy[here], 64 * word[here] + bit], axis=-1))
+    cells = np.concatenate(found) if found else np.empty((0, 3))
+    return np.asarray(frame.origin + (cells + 0.5) * frame.cell, dtype=np.float32)
+
+
+def _by_height(centres: NDArray[np.float32]) -> NDArray[np.uint8]:
+    """Low cells orange, high ones violet."""
+    low, high = np.array((242, 150, 60)), np.array((110, 50, 140))
+    share = np.clip(centres[:, 2:] / 100.0, 0.0, 1.0)
+    return np.asarray(low * (1.0 - share) + high * share).round().astype(np.uint8)
