@@ -233,6 +233,36 @@ TEST(LocalTrajectoryPlanner, KeepsAWayPointWhoseStopoverIsWalledOff) {
   EXPECT_LT(end.x(), 24.0);
 }
 
+TEST(LocalTrajectoryPlanner, ProvesABlockClosedThatIsLargerThanItsWindow) {
+  for (const int widths : {1, 3}) {
+    ObstacleMapOptions map = small_map();
+    map.dims = {40, 40, 8};  // 80 m, for a block of 100 m
+    NavigationOptions options;
+    options.memory_widths = widths;
+    LocalTrajectoryPlanner ltp(make_planner("ggwp"), map, options, no_priority(), at(0, 0));
+    ltp.set_way_points(points({at(90, 40)}));
+    std::vector<Point> hits = box(at(70, 0), 50.0);
+    for (double x = 0; x <= 140;
+         x += 10) {  // along the south wall, then the north wall: never all in view
+      ltp.sense(at(x, -60), points(hits), kNothing);
+    }
+    for (double y = -60; y <= 60; y += 10) ltp.sense(at(130, y), points(hits), kNothing);
+    for (double x = 140; x >= 0; x -= 10) ltp.sense(at(x, 60), points(hits), kNothing);
+    for (double y = 60; y >= -60; y -= 10) ltp.sense(at(10, y), points(hits), kNothing);
+    for (double x = 10; x <= 90; x += 10) ltp.sense(at(x, 60), points(hits), kNothing);
+    ASSERT_TRUE(ltp.map().occupied().frame().contains(at(90, 40)));
+    const NavigationStatus status = ltp.update(at(90, 60));
+    if (widths == 1) {
+      EXPECT_EQ(status, NavigationStatus::Holding) << "within the window nothing is proved";
+      EXPECT_TRUE(ltp.events().empty());
+    } else {
+      ASSERT_EQ(ltp.events().size(), 1u);
+      EXPECT_EQ(ltp.events()[0].reason, PlanStatus::Unreachable);
+      EXPECT_EQ(status, NavigationStatus::Finished);
+    }
+  }
+}
+
 TEST(LocalTrajectoryPlanner, StaysInItsBand) {
   NavigationOptions options;
   LocalTrajectoryPlanner planar = make(at(0, 0), "lp-dijkstra", options);

@@ -49,8 +49,12 @@ void bind_navigation(py::module_& m) {
           "leave_distance", &ltp::NavigationOptions::leave_distance,
           "farther from its path the UAV has left it [m]; 0: one horizontal cell diagonal")
       .def_readwrite("escape_distance", &ltp::NavigationOptions::escape_distance,
-                     "how far to look for a free cell when standing in a blocked one [m]");
-  list_fields(options, {"band", "reach_distance", "leave_distance", "escape_distance"});
+                     "how far to look for a free cell when standing in a blocked one [m]")
+      .def_readwrite("memory_widths", &ltp::NavigationOptions::memory_widths,
+                     "how many windows wide the memory is from which proofs are drawn; 1 where "
+                     "obstacles move");
+  list_fields(options,
+              {"band", "reach_distance", "leave_distance", "escape_distance", "memory_widths"});
 
   py::enum_<ltp::NavigationStatus>(m, "NavigationStatus",
                                    "What the local trajectory planner is doing.")

@@ -13,6 +13,10 @@
 namespace ltp {
 namespace {
 
+/// A way-point that takes so many plans may lie in a block larger than the window; then it is time
+/// for a proof.
+constexpr int kPlansBeforeProof = 5;
+
 double horizontal_diagonal(const GridFrame& frame) { return frame.cell().head<2>().norm(); }
 
 bool same_cell(const GridFrame& frame, const Point& a, const Point& b) {
@@ -27,6 +31,7 @@ void NavigationOptions::check() const {
   check::not_negative("reach_distance", reach_distance);
   check::not_negative("leave_distance", leave_distance);
   check::positive("escape_distance", escape_distance);
+  if (memory_widths < 1) check::fail("memory_widths", memory_widths, "a number >= 1");
 }
 
 std::string_view to_string(NavigationStatus status) {
@@ -51,7 +56,8 @@ LocalTrajectoryPlanner::LocalTrajectoryPlanner(std::unique_ptr<Planner> planner,
       options_(options),
       map_(map_options, position),
       priority_(std::move(priority)),
-      leg_begin_(position) {
+      leg_begin_(position),
+      memory_(map_.occupied().frame(), options.memory_widths, map_options.inflation_radius) {
   if (!planner_) check::fail("planner", "null", "a planner");
   options_.check();
   const double diagonal = horizontal_diagonal(map_.blocked().frame());
@@ -80,7 +86,7 @@ void LocalTrajectoryPlanner::set_priority(Raster priority) {
 
 InsertStatistics LocalTrajectoryPlanner::sense(const Point& origin, const PathRef& hits,
                                                const PathRef& misses) {
-  map_.recentre(origin);
+  recentre(origin);
   const InsertStatistics statistics = map_.insert(origin, hits, misses);
   map_changed_ |= statistics.new_cells > 0 || statistics.erased_cells > 0;
   return statistics;
@@ -89,7 +95,7 @@ InsertStatistics LocalTrajectoryPlanner::sense(const Point& origin, const PathRe
 NavigationStatus LocalTrajectoryPlanner::update(const Point& position,
                                                 const std::function<bool()>& interrupted) {
   check::finite("position", position);
-  map_.recentre(position);
+  recentre(position);
   take_reached(position);
   if (finished()) {
     return status_ = NavigationStatus::Finished;
@@ -98,12 +104,19 @@ NavigationStatus LocalTrajectoryPlanner::update(const Point& position,
   return status_;
 }
 
+void LocalTrajectoryPlanner::recentre(const Point& position) {
+  if (map_.occupied().frame().shift_to_centre(position) == Cell::Zero()) return;
+  memory_.remember(map_.occupied());  // before it is forgotten
+  map_.recentre(position);
+}
+
 /// Notes the end of a way-point and turns to the next one.
 void LocalTrajectoryPlanner::retire(bool reached, PlanStatus reason, const Point& position) {
   events_.push_back(
       {next_, reached, reason, position, way_point(next_), map_.blocked().frame().origin()});
   leg_begin_ = way_point(next_);
   ++next_;
+  plans_for_way_point_ = 0;
   give_up_path();
 }
 
@@ -175,6 +188,12 @@ void LocalTrajectoryPlanner::replan(const Point& position,
       if (!target) break;
       query.goal = *target;
     }
+    const bool overdue = plans_for_way_point_ > 0 && plans_for_way_point_ % kPlansBeforeProof == 0;
+    ++plans_for_way_point_;
+    if (overdue && !stopover_ && proved_unreachable(position, goal)) {
+      retire(false, PlanStatus::Unreachable, position);
+      continue;
+    }
     plans_.push_back({next_, (query.goal - query.start).norm(),
                       planner_->plan({map_.blocked(), priority_}, query)});
     ++plans_made_;
@@ -190,10 +209,8 @@ void LocalTrajectoryPlanner::replan(const Point& position,
 }
 
 bool LocalTrajectoryPlanner::proved_unreachable(const Point& position, const Point& goal) {
-  const GridFrame& frame = map_.blocked().frame();
-  const LevelRange levels = levels_of(frame, {position, goal, options_.band});
-  flood_.fill(map_.blocked(), frame.cell_of(goal), levels);
-  return !flood_.touched_edge() && !flood_.reached(frame.cell_of(position));
+  memory_.remember(map_.occupied());
+  return memory_.seals({position, goal, options_.band, nullptr});
 }
 
 /// The last point of the leg to the way-point that lies inside the window and can be reached.

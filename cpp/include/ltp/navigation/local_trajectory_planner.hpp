@@ -12,6 +12,7 @@
 
 #include "ltp/grid/raster.hpp"
 #include "ltp/mapping/obstacle_map.hpp"
+#include "ltp/navigation/obstacle_memory.hpp"
 #include "ltp/planning/flood.hpp"
 #include "ltp/planning/planner.hpp"
 
@@ -26,6 +27,10 @@ struct NavigationOptions {
       0.0;  ///< farther from its path the UAV has left it [m]; 0: one horizontal cell diagonal
   double escape_distance =
       20.0;  ///< how far to look for a free cell when standing in a blocked one [m]
+
+  /// How many windows wide the memory of obstacles is from which proofs are drawn, >= 1; 1 where
+  /// obstacles move.
+  int memory_widths = 3;
 
   void check() const;
 };
@@ -60,9 +65,9 @@ struct PlanRecord {
 
 /// Holds the map, the way-points and the plan. Replans when the path is blocked, when a way-point
 /// is reached or dropped, when the UAV has left its path; never on a clock. Drops a way-point only
-/// on proof: its cell is blocked, or a complete planner found no path and a flood from the
-/// way-point, which shares nothing with the planner, stays clear of the UAV and of the window's
-/// edge. No clock, no I/O, and no allocation in `sense` and `update` unless a plan is made.
+/// on proof: the map has it in a blocked cell, or a flood from it, over all that is remembered and
+/// sharing nothing with the planners, ends neither at the UAV nor at the edge of the known. No
+/// clock, no I/O, and no allocation in `sense` and `update` unless a plan is made.
 class LocalTrajectoryPlanner {
  public:
   /// @param planner   not null; owned
@@ -112,6 +117,7 @@ class LocalTrajectoryPlanner {
   void take_reached(const Point& position);
   bool must_replan(const Point& position);
   void replan(const Point& position, const std::function<bool()>& interrupted);
+  void recentre(const Point& position);
   bool proved_unreachable(const Point& position, const Point& goal);
   std::optional<Point> target_inside(const Point& position, const LevelRange& levels);
   std::optional<Point> escape_point(const Point& position) const;
@@ -130,14 +136,16 @@ class LocalTrajectoryPlanner {
   NavigationStatus status_ = NavigationStatus::Finished;
   Path path_ = Path(0, 3);
   Point target_ =
-      Point::Zero();          ///< the end of `path_`: a way-point, or a stopover on the way to it
-  bool stopover_ = false;     ///< whether `target_` is not the way-point itself
-  double progress_ = 0.0;     ///< arc length of `path_` already flown [m]
+      Point::Zero();       ///< the end of `path_`: a way-point, or a stopover on the way to it
+  bool stopover_ = false;  ///< whether `target_` is not the way-point itself
+  double progress_ = 0.0;  ///< arc length of `path_` already flown [m]
   std::int64_t path_id_ = 0;
   bool map_changed_ = false;  ///< since the last plan
   std::vector<PlanRecord> plans_;
   std::int64_t plans_made_ = 0;
+  int plans_for_way_point_ = 0;
   Flood flood_;
+  ObstacleMemory memory_;
 };
 
 }  // namespace ltp
