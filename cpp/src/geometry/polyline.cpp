@@ -11,10 +11,16 @@
 namespace ltp {
 namespace {
 
+constexpr double kMostPoints = 1e8;
+
 Point row(const PathRef& path, Eigen::Index i) { return path.row(i).transpose(); }
 
 void require_points(const PathRef& path) {
   if (path.rows() == 0) check::fail("path", "(0, 3) array", "at least one point");
+}
+
+void require_number(const char* name, double value) {
+  if (std::isnan(value)) check::fail(name, value, "a number");
 }
 
 }  // namespace
@@ -27,6 +33,7 @@ double length(const PathRef& path) {
 
 Point point_at(const PathRef& path, double arc_length) {
   require_points(path);
+  require_number("arc_length", arc_length);
   double left = arc_length;
   for (Eigen::Index i = 1; i < path.rows(); ++i) {
     const double step = (path.row(i) - path.row(i - 1)).norm();
@@ -43,9 +50,10 @@ Path resample(const PathRef& path, double spacing) {
   require_points(path);
   check::positive("spacing", spacing);
   const double total = length(path);
-  // The last step may be shorter, never longer, than the spacing.
+  if (!(total / spacing < kMostPoints)) check::fail("spacing", spacing, "at most 10^8 points");
+  // The last step may be shorter, never longer, than the spacing (but for rounding).
   const auto steps = static_cast<Eigen::Index>(std::ceil(total / spacing - 1e-9));
-  Path out(std::max<Eigen::Index>(steps, 0) + 1, 3);
+  Path out(std::max<Eigen::Index>(steps, total > 0.0 ? 1 : 0) + 1, 3);
   for (Eigen::Index i = 0; i < out.rows(); ++i) {
     out.row(i) = point_at(path, static_cast<double>(i) * spacing).transpose();
   }
@@ -55,6 +63,7 @@ Path resample(const PathRef& path, double spacing) {
 
 ClosestPoint closest_point(const PathRef& path, const Point& point, double from_arc_length) {
   require_points(path);
+  require_number("from_arc_length", from_arc_length);
   const Eigen::Index last = path.rows() - 1;
   ClosestPoint best{row(path, last), length(path), 0.0};
   best.distance = (best.point - point).norm();
@@ -68,7 +77,10 @@ ClosestPoint closest_point(const PathRef& path, const Point& point, double from_
       const double t = std::clamp((point - a).dot(step) / (size * size), t_min, 1.0);
       const Point candidate = a + t * step;
       const double distance = (candidate - point).norm();
-      if (distance < best.distance) best = {candidate, arc + t * size, distance};
+      // Of equally close points the first, so that a loop's common end is its beginning.
+      if (distance < best.distance ||
+          (distance == best.distance && arc + t * size < best.arc_length))
+        best = {candidate, arc + t * size, distance};
     }
     arc += size;
   }

@@ -11,7 +11,6 @@ namespace ltp {
 namespace {
 
 constexpr const char* kAxis[] = {"x", "y", "z"};
-constexpr double kFar = 1e9;  // lattice cells; beyond it a point is outside of every window
 
 }  // namespace
 
@@ -35,12 +34,13 @@ GridFrame::GridFrame(const Point& origin, const Point& cell, const std::array<in
 Point GridFrame::upper() const { return origin() + Point(nx(), ny(), nz()).cwiseProduct(cell_); }
 
 Cell GridFrame::cell_of(const Point& point) const {
+  const Point on_lattice = lattice(point);
   Cell cell;
   for (int axis = 0; axis < 3; ++axis) {
-    const double lattice = std::floor((point[axis] - anchor_[axis]) / cell_[axis]);
-    // Negated, so that NaN saturates too.
-    const bool near = lattice > -kFar && lattice < kFar;
-    cell[axis] = near ? static_cast<int>(lattice) - first_[axis] : std::numeric_limits<int>::min();
+    const double number = std::floor(on_lattice[axis]);
+    // Written so that NaN saturates too.
+    const bool near = number > -kFarthestCell && number < kFarthestCell;
+    cell[axis] = near ? static_cast<int>(number) - first_[axis] : std::numeric_limits<int>::min();
   }
   return cell;
 }
@@ -53,7 +53,13 @@ Cell GridFrame::cell_at(std::int64_t index) const {
 
 GridFrame GridFrame::shifted(const Cell& by) const {
   GridFrame moved = *this;
-  moved.first_ += by;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int64_t first = std::int64_t{first_[axis]} + by[axis];
+    if (!(std::abs(static_cast<double>(first)) < kFarthestCell)) {
+      check::fail("by", by.transpose(), "a shift that stays near the map");
+    }
+    moved.first_[axis] = static_cast<int>(first);
+  }
   return moved;
 }
 
@@ -63,7 +69,8 @@ Cell GridFrame::shift_to_centre(const Point& point) const {
   for (int axis = 0; axis < 3; ++axis) {
     const double half = 0.5 * dims_[axis];
     const double first = std::floor((point[axis] - anchor_[axis]) / cell_[axis] - half + 0.5);
-    if (!(std::abs(first) < kFar)) check::fail("point", point.transpose(), "a point near the map");
+    if (!(std::abs(first) < kFarthestCell))
+      check::fail("point", point.transpose(), "a point near the map");
     shift[axis] = static_cast<int>(first) - first_[axis];
   }
   return shift;

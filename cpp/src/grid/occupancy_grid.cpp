@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstring>
 
+#include "ltp/geometry/check.hpp"
 #include "ltp/grid/ray_walk.hpp"
 
 namespace ltp {
@@ -43,7 +45,7 @@ void shift_levels(std::uint64_t* column, int words, int nz, int dz) {
 
 OccupancyGrid::OccupancyGrid(const GridFrame& frame)
     : frame_(frame),
-      words_per_column_((frame.nz() + 63) / 64),
+      words_per_column_((frame.nz() - 1) / 64 + 1),
       words_(static_cast<std::size_t>(frame.nx()) * frame.ny() * words_per_column_) {}
 
 bool OccupancyGrid::blocked_at(const Point& point) const {
@@ -106,10 +108,12 @@ void OccupancyGrid::roll(const Cell& shift) {
 }
 
 std::optional<double> OccupancyGrid::first_blocked(const PathRef& path, double from) const {
-  const Point origin = frame_.origin();
-  const auto lattice = [&](const Point& p) -> Point {
-    return (p - origin).cwiseQuotient(frame_.cell());
-  };
+  if (!path.allFinite()) check::fail("path", "not finite", "finite numbers only");
+  if (std::isnan(from)) check::fail("from", from, "a number");
+  // On the anchor's lattice, so that the walk's cells and `cell_of` never disagree.
+  const Point low = frame_.first().cast<double>();
+  const Point high =
+      (low + Point(frame_.nx(), frame_.ny(), frame_.nz())).cwiseMin(Point::Constant(kFarthestCell));
   if (path.rows() == 1) {
     if (from <= 0.0 && blocked_at(path.row(0).transpose())) return 0.0;
     return std::nullopt;
@@ -123,12 +127,17 @@ std::optional<double> OccupancyGrid::first_blocked(const PathRef& path, double f
       const double t_min = size > 0.0 && from > arc ? (from - arc) / size : 0.0;
       const Point begin = a + t_min * (b - a);
       std::optional<double> touched;
-      walk_segment<3>(lattice(begin), lattice(b), [&](const Cell& cell, double t_in, double) {
-        if (!frame_.contains(cell) || !blocked(cell)) return true;
-        touched = arc + size * (t_min + t_in * (1.0 - t_min));
-        return false;
-      });
-      if (touched) return touched;
+      const ClippedSegment<3> part =
+          clip_segment<3>(frame_.lattice(begin), frame_.lattice(b), low, high);
+      if (!part.empty) {
+        walk_segment<3>(part.a, part.b, [&](const Cell& number, double t_in, double) {
+          const Cell cell = number - frame_.first();
+          if (!frame_.contains(cell) || !blocked(cell)) return true;
+          touched = arc + size * (t_min + part.whole(t_in) * (1.0 - t_min));
+          return false;
+        });
+        if (touched) return touched;
+      }
     }
     arc += size;
   }

@@ -57,13 +57,17 @@ double Raster::bilinear(double x, double y) const {
 double Raster::integral(const Point& a, const Point& b) const {
   const double length = (b - a).norm();
   if (length == 0.0) return 0.0;
+  const ClippedSegment<2> part =
+      clip_segment<2>((a.head<2>() - origin_) / cell_, (b.head<2>() - origin_) / cell_,
+                      Eigen::Vector2d::Zero(), Eigen::Vector2d(nx(), ny()));
+  if (part.empty) return outside_ * length;
   double sum = 0.0;
-  walk_segment<2>((a.head<2>() - origin_) / cell_, (b.head<2>() - origin_) / cell_,
-                  [&](const Eigen::Vector2i& cell, double t_in, double t_out) {
-                    sum += (t_out - t_in) * (*this)(cell.x(), cell.y());
-                    return true;
-                  });
-  return sum * length;
+  walk_segment<2>(part.a, part.b, [&](const Eigen::Vector2i& cell, double t_in, double t_out) {
+    sum += (t_out - t_in) * (*this)(cell.x(), cell.y());
+    return true;
+  });
+  const double walked = part.t_out - part.t_in;
+  return (sum * walked + outside_ * (1.0 - walked)) * length;
 }
 
 }  // namespace ltp

@@ -10,11 +10,13 @@ namespace ltp {
 /// Length of a polyline [m]; 0 for fewer than two points.
 double length(const PathRef& path);
 
-/// The point at `arc_length` [m] from the first one; clamped to the ends. Throws on an empty path.
+/// The point at `arc_length` [m] from the first one; clamped to the ends. Throws
+/// `std::invalid_argument` on an empty path or NaN.
 Point point_at(const PathRef& path, double arc_length);
 
 /// Points every `spacing` [m] along the path; the first and the last point are always kept, shape
-/// (N, 3).
+/// (N, 3). Throws `std::invalid_argument` on an empty path, or unless the spacing is positive and
+/// wide enough for at most 10^8 points.
 Path resample(const PathRef& path, double spacing);
 
 /// The point of a polyline that is closest to a given point.
@@ -24,7 +26,8 @@ struct ClosestPoint {
   double distance = 0.0;    ///< to the point asked about [m]
 };
 
-/// Considers only the part of the path at or beyond `from_arc_length` [m]. Throws on an empty path.
+/// The first of equally close points. Considers only the part of the path at or beyond
+/// `from_arc_length` [m]. Throws `std::invalid_argument` on an empty path or NaN.
 ClosestPoint closest_point(const PathRef& path, const Point& point, double from_arc_length = 0.0);
 
 }  // namespace ltp

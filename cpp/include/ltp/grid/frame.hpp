@@ -13,6 +13,9 @@ namespace ltp {
 /// Integer cell coordinates (ix, iy, iz).
 using Cell = Eigen::Vector3i;
 
+/// Points so many cells and more from a lattice's anchor are outside of every window on it.
+inline constexpr double kFarthestCell = 1e9;
+
 /// A regular grid of boxes: cell (i, j, k) covers [origin + (i, j, k) * cell, + cell), so a point
 /// on a face belongs to the upper cell. The lattice is fixed by `anchor`; the window on it moves by
 /// whole cells (`first`), so that rolling never accumulates rounding errors.
@@ -32,13 +35,17 @@ class GridFrame {
   std::int64_t size() const { return std::int64_t{dims_[0]} * dims_[1] * dims_[2]; }
 
   Point origin() const { return anchor_ + first_.cast<double>().cwiseProduct(cell_); }
-  Point upper() const;  ///< highest corner of the last cell, world [m]
+  const Cell& first() const { return first_; }  ///< number of cell (0, 0, 0) on the lattice
+  Point upper() const;                          ///< highest corner of the last cell, world [m]
 
   /// The cell that holds a point; may lie outside the grid. Far or non-finite points saturate
   /// outside.
   Cell cell_of(const Point& point) const;
+  /// A point in cells from the lattice's anchor. Rounded down, less `first()`, it is `cell_of`.
+  Point lattice(const Point& point) const { return (point - anchor_).cwiseQuotient(cell_); }
   Point centre(const Cell& cell) const {
-    return anchor_ + ((cell + first_).cast<double>().array() + 0.5).matrix().cwiseProduct(cell_);
+    const Point number = cell.cast<double>() + first_.cast<double>();
+    return anchor_ + (number.array() + 0.5).matrix().cwiseProduct(cell_);
   }
   bool contains(const Cell& cell) const {
     return static_cast<unsigned>(cell.x()) < static_cast<unsigned>(dims_[0]) &&
@@ -53,7 +60,8 @@ class GridFrame {
   }
   Cell cell_at(std::int64_t index) const;
 
-  /// The same lattice, its window moved by whole cells.
+  /// The same lattice, its window moved by whole cells. Throws `std::invalid_argument` if that is
+  /// beyond 10^9 cells from the anchor.
   GridFrame shifted(const Cell& by) const;
   /// The shift that centres the window on a point, to the nearest whole cell.
   Cell shift_to_centre(const Point& point) const;

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Polylines: lengths, points along them, closest points, against dense sampling and by hand.
+#include "ltp/geometry/polyline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <random>
+
+namespace ltp {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Path rows(std::initializer_list<Point> points) {
+  Path path(static_cast<Eigen::Index>(points.size()), 3);
+  Eigen::Index i = 0;
+  for (const Point& point : points) path.row(i++) = point.transpose();
+  return path;
+}
+
+Path random_path(int count, std::mt19937_64& random) {
+  std::normal_distribution<double> normal(0.0, 5.0);
+  Path path(count, 3);
+  for (Eigen::Index i = 0; i < path.size(); ++i) path.data()[i] = normal(random);
+  // Repeated points are legal.
+  if (count > 3) path.row(2) = path.row(1);
+  return path;
+}
+
+TEST(Polyline, HasALength) {
+  EXPECT_EQ(length(Path(0, 3)), 0.0);
+  EXPECT_EQ(length(rows({{1, 2, 3}})), 0.0);
+  EXPECT_DOUBLE_EQ(length(rows({{0, 0, 0}, {3, 4, 0}, {3, 4, 0}, {3, 4, -12}})), 17.0);
+}
+
+TEST(Polyline, HasAPointAtEveryArcLength) {
+  const Path path = rows({{0, 0, 0}, {0, 0, 0}, {3, 4, 0}, {3, 4, 0}, {3, 4, -12}, {3, 4, -12}});
+  EXPECT_EQ(point_at(path, 0.0), Point(0, 0, 0));
+  EXPECT_TRUE(point_at(path, 2.5).isApprox(Point(1.5, 2, 0)));
+  EXPECT_TRUE(point_at(path, 5.0).isApprox(Point(3, 4, 0)));
+  EXPECT_TRUE(point_at(path, 6.0).isApprox(Point(3, 4, -1)));
+  EXPECT_EQ(point_at(path, 17.0), Point(3, 4, -12));
+  // Clamped to the ends.
+  EXPECT_EQ(point_at(path, -1.0), Point(0, 0, 0));
+  EXPECT_EQ(point_at(path, 1e9), Point(3, 4, -12));
+  EXPECT_EQ(point_at(path, kInfinity), Point(3, 4, -12));
+  EXPECT_EQ(point_at(path, -kInfinity), Point(0, 0, 0));
+  EXPECT_EQ(point_at(rows({{1, 2, 3}}), 5.0), Point(1, 2, 3));
+  EXPECT_THROW(point_at(path, kNan), std::invalid_argument);
+  EXPECT_THROW(point_at(Path(0, 3), 0.0), std::invalid_argument);
+}
+
+TEST(Polyline, IsResampledWithBothEndsAndNoStepTooLong) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int k = 0; k < 300; ++k) {
+    const Path path = random_path(2 + k % 9, random);
+    const double total = length(path);
+    const double spacing = k % 7 == 0 ? total / (1 + k % 5) : 0.05 + 8.0 * unit(random);
+    const Path points = resample(path, spacing);
+    ASSERT_EQ(points.row(0), path.row(0));
+    ASSERT_EQ(points.row(points.rows() - 1), path.row(path.rows() - 1));
+    ASSERT_NEAR(static_cast<double>(points.rows() - 1), std::ceil(total / spacing - 1e-6), 0.0);
+    for (Eigen::Index i = 0; i + 1 < points.rows(); ++i) {
+      const Point here = points.row(i).transpose();
+      ASSERT_LT((here - point_at(path, static_cast<double>(i) * spacing)).norm(), 1e-9);
+      ASSERT_LE((points.row(i + 1) - points.row(i)).norm(), spacing * (1 + 1e-8));
+    }
+  }
+  EXPECT_EQ(resample(rows({{1, 2, 3}}), 1.0), rows({{1, 2, 3}}));
+  EXPECT_EQ(resample(rows({{1, 2, 3}, {1, 2, 3}}), 1.0), rows({{1, 2, 3}}));
+  // However short the path, its last point is kept.
+  EXPECT_EQ(resample(rows({{0, 0, 0}, {1e-12, 0, 0}}), 1.0), rows({{0, 0, 0}, {1e-12, 0, 0}}));
+  EXPECT_EQ(resample(rows({{0, 0, 0}, {3, 0, 0}}), kInfinity > 1e300 ? 1e300 : 0.0).rows(), 2);
+}
+
+TEST(Polyline, RefusesASpacingThatIsNone) {
+  const Path path = rows({{0, 0, 0}, {1, 0, 0}});
+  for (const double spacing : {0.0, -1.0, kNan, kInfinity, 1e-300, 5e-324, 1e-12}) {
+    EXPECT_THROW(resample(path, spacing), std::invalid_argument) << spacing;
+  }
+  EXPECT_THROW(resample(Path(0, 3), 1.0), std::invalid_argument);
+}
+
+TEST(Polyline, KnowsItsClosestPoint) {
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> normal(0.0, 6.0);
+  std::uniform_real_distribution<double> unit(-0.2, 1.2);
+  for (int k = 0; k < 300; ++k) {
+    const Path path = random_path(1 + k % 7, random);
+    const double total = length(path);
+    const double from = k % 3 == 0 ? 0.0 : unit(random) * total;
+    const Point point(normal(random), normal(random), normal(random));
+    const ClosestPoint found = closest_point(path, point, from);
+    ASSERT_NEAR(found.distance, (found.point - point).norm(), 1e-12);
+    ASSERT_LT((point_at(path, found.arc_length) - found.point).norm(), 1e-9);
+    ASSERT_GE(found.arc_length, std::min(from, total) - 1e-9);
+    const int steps = 2000;
+    for (int i = 0; i <= steps; ++i) {
+      const double arc =
+          std::clamp(from, 0.0, total) + (total - std::clamp(from, 0.0, total)) * i / steps;
+      ASSERT_LE(found.distance, (point_at(path, arc) - point).norm() + 1e-9);
+    }
+  }
+  EXPECT_THROW(closest_point(Path(0, 3), Point::Zero()), std::invalid_argument);
+  EXPECT_THROW(closest_point(rows({{0, 0, 0}, {1, 0, 0}}), Point::Zero(), kNan),
+               std::invalid_argument);
+}
+
+TEST(Polyline, PrefersTheFirstOfEquallyClosePoints) {
+  // A loop: a UAV at its common end has all of it still to fly.
+  const Path loop = rows({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}});
+  EXPECT_EQ(closest_point(loop, Point(0, 0, 0)).arc_length, 0.0);
+  EXPECT_EQ(closest_point(loop, Point(2, 2, 0)).arc_length, 2.0);
+  EXPECT_EQ(closest_point(loop, Point(0, 0, 0), 1.0).arc_length, 16.0);
+}
+
+}  // namespace
+}  // namespace ltp
