@@ -1,0 +1,119 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+# From a bare Debian/Ubuntu machine to a flown mission or a tested build: see `make help`.
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+.DELETE_ON_ERROR:
+.DEFAULT_GOAL := help
+
+PYTHON ?= python3
+JOBS ?= $(shell nproc)
+# Warnings stop the build; for CI.
+WERROR ?= OFF
+
+VENV := .venv
+BIN := $(VENV)/bin
+STAMPS := build/stamps
+PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet --quiet
+
+# ccache, where there is one, compiles the core once for the package, the tests and the benchmarks;
+# all must call the compiler by the same name.
+export CMAKE_CXX_COMPILER_LAUNCHER = $(shell command -v ccache)
+export CXX
+export CMAKE_BUILD_PARALLEL_LEVEL = $(JOBS)
+# The tests are to see the installed package, and no other.
+unexport PYTHONPATH
+
+BUILD_FILES := pyproject.toml CMakeLists.txt README.md LICENSE
+SOURCES := $(BUILD_FILES) $(shell find cpp python -type f \
+  \( -name '*.[ch]pp' -o -name '*.in' -o -name '*.py' -o -name '*.pyi' -o -name py.typed \))
+CPP_FILES := $(shell find cpp tests -name '*.[ch]pp')
+# Changes with the list of sources, so that a file that is gone counts as a change too.
+WHEEL := $(STAMPS)/wheel-$(WERROR)-$(shell printf '%s\n' $(sort $(SOURCES)) | cksum | cut -d' ' -f1)
+
+.PHONY: help
+help:  ## say what there is to make
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
+
+.PHONY: demo
+demo: $(STAMPS)/viewer  ## fly the built-in city with every planner, into out/demo
+	$(BIN)/ltp demo --out out/demo
+
+.PHONY: test
+test: $(STAMPS)/test build-tests  ## run the C++ tests and the Python tests
+	ctest --test-dir build/tests -j $(JOBS) --output-on-failure
+	$(BIN)/python -m pytest
+
+.PHONY: lint
+lint: $(STAMPS)/dev  ## check layout, style and types
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/clang-format --dry-run -Werror $(CPP_FILES)
+
+.PHONY: format
+format: $(STAMPS)/dev  ## lay out all sources
+	$(BIN)/ruff check --fix-only .
+	$(BIN)/ruff format .
+	$(BIN)/clang-format -i $(CPP_FILES)
+
+.PHONY: bench
+bench: $(STAMPS)/system  ## run the C++ benchmarks (BENCH_ARGS=--benchmark_filter=...)
+	cmake -S . -B build/bench -G Ninja -DCMAKE_BUILD_TYPE=Release -DLTP_BUILD_BENCHMARKS=ON \
+	  -DLTP_WARNINGS_AS_ERRORS=$(WERROR)
+	cmake --build build/bench
+	build/bench/tests/bench/ltp_bench $(BENCH_ARGS)
+
+.PHONY: wheel
+wheel: $(WHEEL)  ## build dist/ltp-*.whl and check what is in it
+	$(BIN)/python .ci/check_wheel.py dist/*.whl
+
+.PHONY: stub
+stub: $(STAMPS)/test  ## write python/ltp/_core.pyi anew from the compiled module
+	$(BIN)/python .ci/make_stub.py python/ltp/_core.pyi
+
+.PHONY: clean
+clean:  ## remove all that was made, but the virtual environment and out/
+	rm -rf build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
+
+# ---- set-up: each stamp stands for a step done, and is as old as that step ----------------------
+
+$(STAMPS)/system: .ci/system-packages
+	mkdir -p $(STAMPS)
+	PYTHON="$(PYTHON)" .ci/system-packages > $@
+
+# What pyproject.toml needs to build the package: without pip's isolation, which would start the
+# build from scratch each time.
+$(VENV)/ready: $(STAMPS)/system pyproject.toml
+	[ -x $(BIN)/python ] || "$$(cat $(STAMPS)/system)" -m venv $(VENV)
+	$(BIN)/python -c "import tomllib; build = tomllib.load(open('pyproject.toml', 'rb')); \
+	  print('\n'.join(build['build-system']['requires']))" > $(STAMPS)/requirements.txt
+	$(PIP) install --requirement $(STAMPS)/requirements.txt
+	touch $@
+
+$(WHEEL): $(VENV)/ready $(SOURCES)
+	rm -rf dist $(STAMPS)/wheel-*
+	$(PIP) wheel . --no-build-isolation --no-deps --wheel-dir dist \
+	  --config-settings=build-dir=build/python \
+	  --config-settings=cmake.define.LTP_WARNINGS_AS_ERRORS=$(WERROR)
+	touch $@
+
+# The package, then the extras that one wants of it. pip leaves an installed package of the same
+# version alone, hence the force.
+$(STAMPS)/package: $(WHEEL)
+	$(PIP) install dist/*.whl
+	$(PIP) install --force-reinstall --no-deps dist/*.whl
+	touch $@
+
+$(STAMPS)/viewer: EXTRAS := viewer
+$(STAMPS)/test: EXTRAS := viewer,geo,test
+$(STAMPS)/dev: EXTRAS := viewer,geo,test,dev
+$(STAMPS)/viewer $(STAMPS)/test $(STAMPS)/dev: $(STAMPS)/package
+	$(PIP) install "$$(echo dist/*.whl)[$(EXTRAS)]"
+	touch $@
+
+.PHONY: build-tests
+build-tests: $(STAMPS)/system
+	cmake -S . -B build/tests -G Ninja -DCMAKE_BUILD_TYPE=Release -DLTP_BUILD_TESTS=ON \
+	  -DLTP_WARNINGS_AS_ERRORS=$(WERROR)
+	cmake --build build/tests

@@ -1,0 +1,1175 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Generated from the compiled module by `make stub`; do not edit.
+"""
+The compiled core of ltp. World frame: ENU, metres, z up.
+"""
+from __future__ import annotations
+import collections.abc
+import numpy
+import numpy.typing
+import os
+import typing
+__all__: list[str] = ['BezierOptions', 'GridFrame', 'HeightSurface', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'PathTally', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'WayPointEvent', 'closest_point', 'flood_fill', 'inflate', 'path_length', 'penalty', 'planner_names', 'point_at', 'resample', 'tally']
+class Pose:
+    """
+    Where a body is and how it is turned (world ENU, body x forward, y left, z up).
+    """
+    def __init__(self, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], *, yaw: typing.SupportsFloat | typing.SupportsIndex = 0.0, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.0, roll: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        position: (3,) [m]. yaw, pitch, roll: turns about z, y, x, applied in this order [rad].
+        """
+    @property
+    def position(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,), world [m]
+        """
+    @property
+    def rotation(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]:
+        """
+        (3, 3), world from body
+        """
+class GridFrame:
+    """
+    Where a grid of box-shaped cells lies in the world. Cell (i, j, k) covers
+    [origin + (i, j, k) * cell, + cell); a point on a face belongs to the upper cell.
+    """
+    __hash__: typing.ClassVar[None] = None
+    def __eq__(self, other: GridFrame) -> bool:
+        ...
+    def __init__(self, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], cell: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], dims: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], "FixedSize(3)"]) -> None:
+        """
+        origin: (3,) lowest corner [m]. cell: (3,) edges [m]. dims: cells along x, y, z.
+        """
+    def __repr__(self) -> str:
+        ...
+    def cell_of(self, point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.int32], "[3, 1]"]:
+        """
+        (3,) int: the cell that holds a point [m]; may lie outside.
+        """
+    def centre(self, cell: typing.Annotated[numpy.typing.ArrayLike, numpy.int32, "[3, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,): the centre of a cell, world [m].
+        """
+    def contains(self, point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> bool:
+        """
+        Whether a point (3,) [m] lies inside the grid.
+        """
+    def shifted(self, by: typing.Annotated[numpy.typing.ArrayLike, numpy.int32, "[3, 1]"]) -> GridFrame:
+        """
+        The same lattice, its window moved by whole cells (3,) int.
+        """
+    @property
+    def cell(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,), edges of a cell [m]
+        """
+    @property
+    def dims(self) -> typing.Annotated[list[int], "FixedSize(3)"]:
+        """
+        cells along x, y, z
+        """
+    @property
+    def origin(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,), lowest corner, world [m]
+        """
+    @property
+    def upper(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,), highest corner, world [m]
+        """
+class Raster:
+    """
+    A scalar field over the ground - heights [m] or priority in [0, 1] - constant on each
+    square cell: cell (i, j) covers [origin + (i, j) * cell, + cell); axis 0 is x (east).
+    """
+    def __init__(self, values: numpy.ndarray, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"] = ..., cell: typing.SupportsFloat | typing.SupportsIndex = 1.0, outside: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        values: (nx, ny), finite. origin: (2,) outer corner of cell (0, 0) [m]. cell: edge [m].
+        outside: the value beyond the edges. ValueError names what is wrong.
+        """
+    def at(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], y: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Any:
+        """
+        Value of the cell that holds (x, y) [m]; vectorised.
+        """
+    def bilinear(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], y: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Any:
+        """
+        Bilinear interpolation between cell centres; vectorised.
+        """
+    def integral(self, a: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], b: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> float:
+        """
+        Exact integral of the field along the segment a-b, (3,) each, over its 3-D length [m].
+        """
+    @property
+    def cell(self) -> float:
+        """
+        edge of a cell [m]
+        """
+    @property
+    def origin(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
+        """
+        (2,), outer corner of cell (0, 0) [m]
+        """
+    @property
+    def outside(self) -> float:
+        """
+        value beyond the edges
+        """
+    @property
+    def shape(self) -> tuple[int, int]:
+        ...
+    @property
+    def values(self) -> numpy.ndarray:
+        """
+        (nx, ny) float64, a read-only view
+        """
+class OccupancyGrid:
+    """
+    Which cells are blocked, one bit a cell. A cell never set is free.
+    """
+    __hash__: typing.ClassVar[None] = None
+    @staticmethod
+    def from_array(blocked: numpy.ndarray, frame: GridFrame) -> OccupancyGrid:
+        """
+        blocked: bool (nx, ny, nz), the frame's dims. TypeError for another dtype.
+        """
+    def __eq__(self, other: OccupancyGrid) -> bool:
+        ...
+    def __init__(self, frame: GridFrame) -> None:
+        """
+        An empty grid.
+        """
+    def blocked_at(self, points: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> numpy.typing.NDArray[numpy.bool]:
+        """
+        bool (N,): whether the cells that hold points (N, 3) [m] are blocked; False outside.
+        """
+    def count(self) -> int:
+        """
+        Number of blocked cells.
+        """
+    def first_blocked(self, path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], from_arc_length: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> float | None:
+        """
+        Arc length [m] at which a path (N, 3) first touches a blocked cell, exactly; None if it touches none.
+        """
+    def roll(self, shift: typing.Annotated[numpy.typing.ArrayLike, numpy.int32, "[3, 1]"]) -> None:
+        """
+        Moves the window by whole cells (3,) int; what leaves is forgotten, what enters is free.
+        """
+    def to_array(self) -> numpy.typing.NDArray[numpy.bool]:
+        """
+        A dense copy, bool (nx, ny, nz).
+        """
+    @property
+    def columns(self) -> numpy.ndarray:
+        """
+        uint64 (nx, ny, words), a read-only view without a copy: bit k of word w of a column is
+        level 64 w + k.
+        """
+    @property
+    def frame(self) -> GridFrame:
+        ...
+class PathTally:
+    """
+    The two integrals along a path that Eq. (5) is made of.
+    """
+    __fields__: typing.ClassVar[tuple] = ('length', 'priority')
+    def __init__(self) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def length(self) -> float:
+        """
+        L, Eq. (2) [m]
+        """
+    @property
+    def mean_priority(self) -> float:
+        """
+        -Eq. (4), in [0, 1]
+        """
+    @property
+    def priority(self) -> float:
+        """
+        integral of the priority along the path, Eq. (4) [m]
+        """
+class RayHit:
+    """
+    Where a ray first meets a surface.
+    """
+    @property
+    def hit(self) -> bool:
+        """
+        whether there is one
+        """
+    @property
+    def inside(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,), the point hit, moved 1 mm into the solid through the face hit; NaN: no hit
+        """
+    @property
+    def range(self) -> float:
+        """
+        from the ray's origin [m]; inf: no hit
+        """
+class Surface:
+    """
+    Something that a ray can hit.
+    """
+    def cast(self, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], direction: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], max_range: typing.SupportsFloat | typing.SupportsIndex) -> RayHit:
+        """
+        The first hit nearer than max_range [m] of the ray from origin (3,) along the unit vector
+        direction (3,). A ray that starts inside the solid hits at range 0.
+        """
+class HeightSurface(Surface):
+    """
+    The exact surface of a height raster: each cell is a solid column from below everything up
+    to its height. Outside the raster there is nothing.
+    """
+    def __init__(self, heights: Raster) -> None:
+        """
+        heights: above the datum [m].
+        """
+    def clearance(self, points: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], max_distance: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (N,): distance [m] from points (N, 3), float64, to the solid, 0 inside it, at most
+        max_distance.
+        """
+    def first_collision(self, path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> float | None:
+        """
+        Arc length [m] at which a path (N, 3), float64, first touches the solid, exactly along its
+        segments; None if it never does. Grazing a top or a wall touches it.
+        """
+    def occupancy(self, frame: GridFrame) -> OccupancyGrid:
+        """
+        OccupancyGrid of the cells that hold any of the solid: what a perfect and complete sensor
+        would map.
+        """
+    @property
+    def heights(self) -> Raster:
+        ...
+class OctreeSurface(Surface):
+    """
+    The occupied voxels of an OctoMap octree; rays are walked exactly.
+    """
+    @typing.overload
+    def __init__(self, path: os.PathLike | str | bytes) -> None:
+        """
+        Reads a .bt or .ot file. ValueError names the file and what is wrong with it.
+        """
+    @typing.overload
+    def __init__(self, points: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], resolution: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        """
+        Voxels of edge resolution [m] that hold points (N, 3), float64 [m].
+        """
+    @property
+    def resolution(self) -> float:
+        """
+        edge of a voxel [m]
+        """
+    @property
+    def size(self) -> int:
+        """
+        occupied voxels
+        """
+    @property
+    def voxels(self) -> OccupancyGrid:
+        """
+        OccupancyGrid over their bounding box
+        """
+class LidarPattern:
+    """
+    The rays of one revolution, in the sensor's frame (x forward, y left, z up).
+    """
+    __fields__: typing.ClassVar[tuple] = ('azimuths', 'azimuth_from_deg', 'azimuth_to_deg', 'rows', 'elevation_from_deg', 'elevation_to_deg')
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def check(self) -> None:
+        """
+        Raises `ValueError` that names the field.
+        """
+    @property
+    def azimuth_from_deg(self) -> float:
+        """
+        first azimuth, counter-clockwise from x [deg]
+        """
+    @azimuth_from_deg.setter
+    def azimuth_from_deg(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def azimuth_to_deg(self) -> float:
+        """
+        last azimuth; a full circle stops one step short [deg]
+        """
+    @azimuth_to_deg.setter
+    def azimuth_to_deg(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def azimuths(self) -> int:
+        """
+        rays a row, evenly over the range, >= 1
+        """
+    @azimuths.setter
+    def azimuths(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def elevation_from_deg(self) -> float:
+        """
+        lowest row, and the only one if rows = 1; > -90 [deg]
+        """
+    @elevation_from_deg.setter
+    def elevation_from_deg(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def elevation_to_deg(self) -> float:
+        """
+        highest row; < 90 [deg]
+        """
+    @elevation_to_deg.setter
+    def elevation_to_deg(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def rows(self) -> int:
+        """
+        rows, evenly over the range, both ends, >= 1
+        """
+    @rows.setter
+    def rows(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+class LidarOptions:
+    """
+    Settings of the LiDAR.
+    """
+    __fields__: typing.ClassVar[tuple] = ('pattern', 'max_range', 'range_noise_sd', 'drop_out', 'seed')
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def check(self) -> None:
+        """
+        Raises `ValueError` that names the field.
+        """
+    @property
+    def drop_out(self) -> float:
+        """
+        probability that a return is lost, in [0, 1]
+        """
+    @drop_out.setter
+    def drop_out(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def max_range(self) -> float:
+        """
+        a return at or beyond it is no return [m]
+        """
+    @max_range.setter
+    def max_range(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def pattern(self) -> LidarPattern:
+        """
+        which rays
+        """
+    @pattern.setter
+    def pattern(self, arg0: LidarPattern) -> None:
+        ...
+    @property
+    def range_noise_sd(self) -> float:
+        """
+        standard deviation of a range [m]
+        """
+    @range_noise_sd.setter
+    def range_noise_sd(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def seed(self) -> int:
+        """
+        of noise and drop-out
+        """
+    @seed.setter
+    def seed(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+class ScanStatistics:
+    """
+    What became of a scan's rays; the counts add up to all of them.
+    """
+    __fields__: typing.ClassVar[tuple] = ('hits', 'misses', 'invalid', 'dropped')
+    def __repr__(self) -> str:
+        ...
+    @property
+    def dropped(self) -> int:
+        """
+        returns lost to drop-out
+        """
+    @property
+    def hits(self) -> int:
+        """
+        returns nearer than the maximum range
+        """
+    @property
+    def invalid(self) -> int:
+        """
+        NaN, 0, negative or -inf
+        """
+    @property
+    def misses(self) -> int:
+        """
+        no return: +inf, or at or beyond the maximum range
+        """
+class Scan:
+    """
+    One revolution of a LiDAR, in the world frame.
+    """
+    @property
+    def hits(self) -> numpy.ndarray:
+        """
+        (N, 3), end points of the returns [m]; a read-only view
+        """
+    @property
+    def misses(self) -> numpy.ndarray:
+        """
+        (M, 3), where rays without a return end, at the maximum range [m]; a read-only view
+        """
+    @property
+    def origin(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,), of all its rays [m]
+        """
+    @property
+    def statistics(self) -> ScanStatistics:
+        ...
+class Lidar:
+    """
+    A scanning LiDAR. May be used from several threads at once.
+    """
+    def __init__(self, options: LidarOptions = ...) -> None:
+        """
+        ValueError names the option that is wrong.
+        """
+    def from_ranges(self, ranges: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], pose: Pose) -> Scan:
+        """
+        The scan that a real sensor's ranges (azimuths * rows,) [m] mean, in the order of
+        directions. NaN, 0, negative and -inf are invalid; +inf and anything at or beyond the
+        maximum range is a miss.
+        """
+    def scan(self, surface: Surface, pose: Pose, sequence: typing.SupportsInt | typing.SupportsIndex = 0) -> Scan:
+        """
+        Scans a surface. sequence numbers the scan: noise differs from scan to scan and repeats from
+        run to run.
+        """
+    @property
+    def directions(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
+        """
+        (azimuths * rows, 3), unit vectors in the sensor frame: azimuth by azimuth, rows ascending; a
+        read-only view
+        """
+    @property
+    def options(self) -> LidarOptions:
+        ...
+class ObstacleMapOptions:
+    """
+    Settings of the obstacle map.
+    """
+    __fields__: typing.ClassVar[tuple] = ('cell', 'dims', 'inflation_radius', 'max_range', 'carve_free_space', 'keep_hits', 'hit_log_odds', 'miss_log_odds', 'min_log_odds', 'max_log_odds')
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def check(self) -> None:
+        """
+        Raises `ValueError` that names the field.
+        """
+    @property
+    def carve_free_space(self) -> bool:
+        """
+        learn from what rays passed, too
+        """
+    @carve_free_space.setter
+    def carve_free_space(self, arg0: bool) -> None:
+        ...
+    @property
+    def cell(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,), edges of a planning cell [m], multiples of the smallest one
+        """
+    @cell.setter
+    def cell(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        ...
+    @property
+    def dims(self) -> typing.Annotated[list[int], "FixedSize(3)"]:
+        """
+        planning cells along x, y, z
+        """
+    @dims.setter
+    def dims(self, arg0: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], "FixedSize(3)"]) -> None:
+        ...
+    @property
+    def hit_log_odds(self) -> float:
+        """
+        added to a voxel by a hit, > 0
+        """
+    @hit_log_odds.setter
+    def hit_log_odds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def inflation_radius(self) -> float:
+        """
+        a cell this near to an occupied cell is blocked [m]; 0: only those occupied
+        """
+    @inflation_radius.setter
+    def inflation_radius(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def keep_hits(self) -> bool:
+        """
+        only with carving: rays that pass an occupied voxel say nothing about it
+        """
+    @keep_hits.setter
+    def keep_hits(self, arg0: bool) -> None:
+        ...
+    @property
+    def max_log_odds(self) -> float:
+        """
+        clamping, > 0
+        """
+    @max_log_odds.setter
+    def max_log_odds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def max_range(self) -> float:
+        """
+        a hit at or beyond this distance from the scan's origin marks nothing [m]
+        """
+    @max_range.setter
+    def max_range(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def min_log_odds(self) -> float:
+        """
+        clamping, < 0
+        """
+    @min_log_odds.setter
+    def min_log_odds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def miss_log_odds(self) -> float:
+        """
+        added by a ray that passes, < 0
+        """
+    @miss_log_odds.setter
+    def miss_log_odds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+class InsertStatistics:
+    """
+    What became of a scan's points, and of the map.
+    """
+    __fields__: typing.ClassVar[tuple] = ('marked', 'outside', 'out_of_range', 'invalid', 'new_cells', 'erased_cells')
+    def __repr__(self) -> str:
+        ...
+    @property
+    def erased_cells(self) -> int:
+        """
+        planning cells that became free by carving
+        """
+    @property
+    def invalid(self) -> int:
+        """
+        hits or misses that are not finite: ignored
+        """
+    @property
+    def marked(self) -> int:
+        """
+        hits that fell into the window
+        """
+    @property
+    def new_cells(self) -> int:
+        """
+        planning cells that became occupied
+        """
+    @property
+    def out_of_range(self) -> int:
+        """
+        hits at or beyond the maximum range: treated as misses
+        """
+    @property
+    def outside(self) -> int:
+        """
+        hits beyond the window
+        """
+class ObstacleMap:
+    """
+    What the sensor has touched round the UAV. Voxels are the memory, planning cells the view: a cell is
+    occupied if any voxel in it is, blocked if within the inflation radius of an occupied one. Use a map from
+    one thread at a time.
+    """
+    def __init__(self, options: ObstacleMapOptions = ..., centre: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"] = ...) -> None:
+        """
+        centre: (3,), of the window, world [m]. ValueError names the option that is wrong.
+        """
+    def clear(self) -> None:
+        """
+        Forgets everything.
+        """
+    def insert(self, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], hits: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], misses: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"] | None = None) -> InsertStatistics:
+        """
+        Adds a scan: where its rays began (3,), where they hit (N, 3) and, for carving, where those without a
+        return ended (M, 3); world [m], C-ordered float64. Points that are not finite, out of range or outside the
+        window are counted, never an error. Returns InsertStatistics.
+        """
+    def load(self, path: os.PathLike | str | bytes) -> None:
+        """
+        Adds what a `.bt` or `.ot` file of the same voxel size knows about the window. ValueError names the file; the
+        map then stays as it was.
+        """
+    def log_odds_at(self, point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> float:
+        """
+        Log-odds of the voxel at a point (3,) [m]; 0 where nothing is known.
+        """
+    def recentre(self, centre: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.int32], "[3, 1]"]:
+        """
+        Centres the window on a point (3,) [m]; what leaves is forgotten. Returns the shift in cells, (3,) int.
+        """
+    def save(self, path: os.PathLike | str | bytes) -> None:
+        """
+        Writes OctoMap's `.bt` (occupied or free) or `.ot` (log-odds), atomically.
+        """
+    @property
+    def blocked(self) -> OccupancyGrid:
+        """
+        the same, inflated: what planners get; a view that follows the map
+        """
+    @property
+    def occupied(self) -> OccupancyGrid:
+        """
+        planning cells with a hit in them; a view that follows the map
+        """
+    @property
+    def options(self) -> ObstacleMapOptions:
+        ...
+    @property
+    def voxel_size(self) -> float:
+        """
+        edge of a voxel [m]
+        """
+    @property
+    def voxels(self) -> OccupancyGrid:
+        """
+        occupied voxels; a view that follows the map
+        """
+class Scene:
+    """
+    What a planner may look at: obstacles and priority. Keeps both alive.
+    """
+    def __init__(self, occupancy: OccupancyGrid, priority: Raster) -> None:
+        ...
+class Query:
+    """
+    From where to where, and how far the path may leave the altitudes between.
+    """
+    def __init__(self, start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], goal: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], band: tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex] = ...) -> None:
+        """
+        start, goal: (3,), world [m]. band: (below, above), how far the path may go under the lower and over the
+        higher of both ends [m], >= 0; (0, 0) is planar flight, the default is open to the whole window.
+        """
+    @property
+    def band(self) -> tuple[float, float]:
+        ...
+    @property
+    def goal(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        ...
+    @property
+    def start(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        ...
+class PlanStatus:
+    """
+    How a plan ended.
+
+    Members:
+
+      FOUND
+
+      OUTSIDE_MAP : start or goal lies beyond the window
+
+      START_BLOCKED
+
+      GOAL_BLOCKED
+
+      UNREACHABLE : proved: no free path exists on this grid
+
+      NONE_FOUND : gave up without proof
+
+      OUT_OF_BUDGET : the caller's limit was reached first
+    """
+    FOUND: typing.ClassVar[PlanStatus]
+    GOAL_BLOCKED: typing.ClassVar[PlanStatus]
+    NONE_FOUND: typing.ClassVar[PlanStatus]
+    OUTSIDE_MAP: typing.ClassVar[PlanStatus]
+    OUT_OF_BUDGET: typing.ClassVar[PlanStatus]
+    START_BLOCKED: typing.ClassVar[PlanStatus]
+    UNREACHABLE: typing.ClassVar[PlanStatus]
+    __members__: typing.ClassVar[dict[str, PlanStatus]]
+    @typing.overload
+    def __eq__(self, other: PlanStatus) -> bool:
+        ...
+    @typing.overload
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> int:
+        ...
+    def __hash__(self) -> int:
+        ...
+    def __index__(self) -> int:
+        ...
+    def __init__(self, value: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    def __int__(self) -> int:
+        ...
+    @typing.overload
+    def __ne__(self, other: PlanStatus) -> bool:
+        ...
+    @typing.overload
+    def __ne__(self, other: typing.Any) -> bool:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setstate__(self, state: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    def __str__(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def value(self) -> int:
+        ...
+class SearchStats:
+    """
+    What a search did.
+    """
+    __fields__: typing.ClassVar[tuple] = ('expanded', 'pushed', 'seconds')
+    def __repr__(self) -> str:
+        ...
+    @property
+    def expanded(self) -> int:
+        """
+        cells (or curves) examined
+        """
+    @property
+    def pushed(self) -> int:
+        """
+        entries that went into the open list
+        """
+    @property
+    def seconds(self) -> float:
+        """
+        wall time [s]
+        """
+class Plan:
+    """
+    A planner's answer.
+    """
+    __fields__: typing.ClassVar[tuple] = ('status', 'tally', 'penalty', 'bound', 'stats')
+    def __repr__(self) -> str:
+        ...
+    @property
+    def bound(self) -> float | None:
+        """
+        no path has a smaller penalty; None without a proof
+        """
+    @property
+    def path(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
+        """
+        (N, 3), start ... goal, world [m]; empty unless FOUND
+        """
+    @property
+    def penalty(self) -> float:
+        """
+        Eq. (5); inf unless FOUND
+        """
+    @property
+    def stats(self) -> SearchStats:
+        ...
+    @property
+    def status(self) -> PlanStatus:
+        ...
+    @property
+    def tally(self) -> PathTally:
+        """
+        length and priority integral of the path
+        """
+class BezierOptions:
+    """
+    The Bezier planner's exhaustive search.
+    """
+    __fields__: typing.ClassVar[tuple] = ('offsets', 'reach', 'z_offsets', 'z_reach', 'segments')
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def offsets(self) -> int:
+        """
+        M, offsets tried for each control point; odd
+        """
+    @offsets.setter
+    def offsets(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def reach(self) -> float:
+        """
+        largest sideways offset [m]
+        """
+    @reach.setter
+    def reach(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def segments(self) -> int:
+        """
+        straight pieces of the curve
+        """
+    @segments.setter
+    def segments(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def z_offsets(self) -> int:
+        """
+        offsets tried in height; odd
+        """
+    @z_offsets.setter
+    def z_offsets(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def z_reach(self) -> float:
+        """
+        largest offset in height [m]
+        """
+    @z_reach.setter
+    def z_reach(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+class PlannerOptions:
+    """
+    What every planner can be told.
+    """
+    __fields__: typing.ClassVar[tuple] = ('length_weight', 'priority_weight', 'max_expansions', 'scaled_heuristic', 'bezier')
+    bezier: BezierOptions
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def length_weight(self) -> float:
+        """
+        W_L of Eq. (5)
+        """
+    @length_weight.setter
+    def length_weight(self, arg1: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def max_expansions(self) -> int:
+        """
+        give up (OUT_OF_BUDGET) after so many; 0: no limit
+        """
+    @max_expansions.setter
+    def max_expansions(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def priority_weight(self) -> float:
+        """
+        W_P of Eq. (5)
+        """
+    @priority_weight.setter
+    def priority_weight(self, arg1: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def scaled_heuristic(self) -> bool:
+        """
+        multiply Eq. (9) by W_L, which it lacks as printed
+        """
+    @scaled_heuristic.setter
+    def scaled_heuristic(self, arg0: bool) -> None:
+        ...
+class Planner:
+    """
+    A local planner; made by `make_planner`.
+    """
+    def __init__(self, name: str, options: PlannerOptions = ...) -> None:
+        ...
+    def plan(self, scene: Scene, query: Query) -> Plan:
+        """
+        Plans a path. Lets other threads run; Ctrl-C interrupts it. ValueError for a query that is not finite.
+        """
+    @property
+    def complete(self) -> bool:
+        """
+        whether its failure proves that no path exists
+        """
+    @property
+    def name(self) -> str:
+        ...
+class NavigationOptions:
+    """
+    When a way-point is reached, a path left, a height allowed.
+    """
+    __fields__: typing.ClassVar[tuple] = ('band', 'reach_distance', 'leave_distance', 'escape_distance', 'memory_widths')
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def band(self) -> tuple[float, float]:
+        """
+        (below, above): how far to leave the altitudes of UAV and way-point [m]; (0, 0) is planar flight
+        """
+    @band.setter
+    def band(self, arg1: tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex]) -> None:
+        ...
+    @property
+    def escape_distance(self) -> float:
+        """
+        how far to look for a free cell when standing in a blocked one [m]
+        """
+    @escape_distance.setter
+    def escape_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def leave_distance(self) -> float:
+        """
+        farther from its path the UAV has left it [m]; 0: one horizontal cell diagonal
+        """
+    @leave_distance.setter
+    def leave_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def memory_widths(self) -> int:
+        """
+        how many windows wide the memory is from which proofs are drawn; 1 where obstacles move
+        """
+    @memory_widths.setter
+    def memory_widths(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def reach_distance(self) -> float:
+        """
+        a way-point is reached within it, horizontally [m]; 0: one horizontal cell diagonal
+        """
+    @reach_distance.setter
+    def reach_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+class NavigationStatus:
+    """
+    What the local trajectory planner is doing.
+
+    Members:
+
+      FINISHED : no way-point is left
+
+      FOLLOWING : there is a path to follow
+
+      ESCAPING : leaving a blocked cell by the nearest free one
+
+      HOLDING : no path and no proof: stay
+    """
+    ESCAPING: typing.ClassVar[NavigationStatus]
+    FINISHED: typing.ClassVar[NavigationStatus]
+    FOLLOWING: typing.ClassVar[NavigationStatus]
+    HOLDING: typing.ClassVar[NavigationStatus]
+    __members__: typing.ClassVar[dict[str, NavigationStatus]]
+    @typing.overload
+    def __eq__(self, other: NavigationStatus) -> bool:
+        ...
+    @typing.overload
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> int:
+        ...
+    def __hash__(self) -> int:
+        ...
+    def __index__(self) -> int:
+        ...
+    def __init__(self, value: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    def __int__(self) -> int:
+        ...
+    @typing.overload
+    def __ne__(self, other: NavigationStatus) -> bool:
+        ...
+    @typing.overload
+    def __ne__(self, other: typing.Any) -> bool:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setstate__(self, state: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    def __str__(self) -> str:
+        ...
+    @property
+    def label(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def value(self) -> int:
+        ...
+class WayPointEvent:
+    """
+    What became of a way-point.
+    """
+    __fields__: typing.ClassVar[tuple] = ('index', 'reached', 'reason', 'position', 'goal', 'window_origin')
+    def __repr__(self) -> str:
+        ...
+    @property
+    def goal(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,), the way-point [m]
+        """
+    @property
+    def index(self) -> int:
+        ...
+    @property
+    def position(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,), of the UAV [m]
+        """
+    @property
+    def reached(self) -> bool:
+        """
+        True: reached; False: dropped
+        """
+    @property
+    def reason(self) -> PlanStatus:
+        """
+        why it was dropped: GOAL_BLOCKED or UNREACHABLE
+        """
+    @property
+    def window_origin(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,), of the map's window [m]
+        """
+class PlanRecord:
+    """
+    One answer of the planner.
+    """
+    __fields__: typing.ClassVar[tuple] = ('way_point', 'direct_length', 'plan')
+    def __repr__(self) -> str:
+        ...
+    @property
+    def direct_length(self) -> float:
+        """
+        L_direct of the query [m]
+        """
+    @property
+    def plan(self) -> Plan:
+        ...
+    @property
+    def way_point(self) -> int:
+        """
+        for which it was asked
+        """
+class LocalTrajectoryPlanner:
+    """
+    The loop that flies: way-points, scans and poses in; plan and status out. Replans when the path is
+    blocked, left, or its way-point retired; drops a way-point only on proof.
+    """
+    def __init__(self, planner: str, priority: Raster, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], *, planner_options: PlannerOptions = ..., map_options: ObstacleMapOptions = ..., options: NavigationOptions = ...) -> None:
+        """
+        planner: a name of `planner_names()`. priority: Raster in [0, 1]. position: (3,) [m].
+        """
+    def sense(self, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], hits: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], misses: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"] = ...) -> InsertStatistics:
+        """
+        Adds a scan: where its rays began (3,), where they hit (N, 3), and, for carving, where those without a
+        return ended (M, 3); world [m].
+        """
+    def set_priority(self, priority: Raster) -> None:
+        ...
+    def set_way_points(self, way_points: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> None:
+        """
+        Replaces what is left of the global path; (N, 3), world [m].
+        """
+    def update(self, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> NavigationStatus:
+        """
+        Decides what to do at a position (3,) [m].
+        """
+    @property
+    def events(self) -> list[WayPointEvent]:
+        """
+        reached and dropped way-points, in order
+        """
+    @property
+    def events_count(self) -> int:
+        ...
+    @property
+    def map(self) -> ObstacleMap:
+        ...
+    @property
+    def path(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
+        """
+        (N, 3), the path to follow [m]
+        """
+    @property
+    def path_id(self) -> int:
+        """
+        as long as it stands, so does `path`
+        """
+    @property
+    def plans(self) -> list[PlanRecord]:
+        """
+        the planner's answers when it was last asked
+        """
+    @property
+    def plans_made(self) -> int:
+        """
+        since the beginning
+        """
+    @property
+    def status(self) -> NavigationStatus:
+        ...
+    @property
+    def way_point_index(self) -> int:
+        """
+        the way-point flown to
+        """
+    @property
+    def way_points(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
+        ...
+def closest_point(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], from_arc_length: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], float, float]:
+    """
+    (point (3,), arc length [m], distance [m]) of the closest point of a polyline at or beyond an arc length.
+    """
+def flood_fill(grid: OccupancyGrid, query: Query) -> numpy.typing.NDArray[numpy.bool]:
+    """
+    bool (nx, ny, nz): the cells that any planner could reach from the query's start within its band, by a flood
+    that shares nothing with the planners. ValueError if the start is outside the grid.
+    """
+def inflate(grid: OccupancyGrid, radius: typing.SupportsFloat | typing.SupportsIndex) -> OccupancyGrid:
+    """
+    The grid with every cell blocked whose box is within `radius` [m] of the box of a blocked one: any radius > 0
+    adds at least the 26 neighbours, 0 none.
+    """
+def path_length(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> float:
+    """
+    Length of a polyline, path: (N, 3) [m].
+    """
+def penalty(tally: PathTally, direct_length: typing.SupportsFloat | typing.SupportsIndex, length_weight: typing.SupportsFloat | typing.SupportsIndex = 0.5, priority_weight: typing.SupportsFloat | typing.SupportsIndex = 1.0) -> float:
+    """
+    Eq. (5): length_weight * L / direct_length - priority_weight * mean priority.
+    """
+def planner_names() -> list[str]:
+    """
+    The planners' names, in the order of the paper's tables.
+    """
+def point_at(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], arc_length: typing.SupportsFloat | typing.SupportsIndex) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+    """
+    The point (3,) at an arc length [m] of a polyline; clamped to its ends.
+    """
+def resample(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], spacing: typing.SupportsFloat | typing.SupportsIndex) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
+    """
+    Points every `spacing` [m] along a polyline, both ends kept: (M, 3). path: (N, 3), N >= 1 [m].
+    """
+def tally(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], priority: Raster) -> PathTally:
+    """
+    Length and priority integral of a path (N, 3) [m]; exact for a priority constant on each cell of its raster.
+    """
+__version__: str = ...
