@@ -67,6 +67,8 @@ class MissionConfig:
     def check(self) -> None:
         """Raise `ValueError` that names the first value out of range."""
         Planner(self.planner, self.planner_options())  # the core checks what is its own
+        for part in (self.lidar, self.mapping, self.navigation):
+            part.check()
         if self.priority_map not in ("binary", "lpf"):
             raise ValueError(f'priority_map = {self.priority_map!r}: expected "binary" or "lpf"')
         for name in ("fov_deg", "step", "time_limit_factor", "hold_limit"):

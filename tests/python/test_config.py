@@ -65,7 +65,6 @@ def test_the_file_is_readable(tmp_path) -> None:
         ("[lidar]\nmax_range = -1", "max_range"),
         ("[navigation]\nband = [-1, 0]", "band"),
         ("[navigation]\nband = 3", "band"),
-        ("landable = 'everywhere'", "landable"),
         ("step = ", "TOML"),
     ],
 )

@@ -138,3 +138,9 @@ def test_observers_see_every_step() -> None:
 def test_a_strange_global_path_is_refused_by_name(path: np.ndarray) -> None:
     with pytest.raises(ValueError, match="global_path"):
         ltp.fly(make_world(flat_world()), small_config(), path)
+
+
+def test_an_unknown_preset_of_landing_ground_is_refused_by_name() -> None:
+    config = small_config(landable="everywhere")
+    with pytest.raises(ValueError, match="everywhere"):
+        ltp.fly(make_world(flat_world()), config, line((40, 40), (60, 40)))

@@ -35,6 +35,7 @@ void bind_navigation(py::module_& m) {
   auto options = py::class_<ltp::NavigationOptions>(
       m, "NavigationOptions", "When a way-point is reached, a path left, a height allowed.");
   options.def(py::init(&from_keywords<ltp::NavigationOptions>))
+      .def("check", &ltp::NavigationOptions::check, "Raises `ValueError` that names the field.")
       .def_property(
           "band", [](const ltp::NavigationOptions& o) { return Band(o.band.below, o.band.above); },
           [](ltp::NavigationOptions& o, const Band& band) {

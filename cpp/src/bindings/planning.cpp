@@ -108,6 +108,7 @@ void bind_options(py::module_& m) {
   auto options =
       py::class_<ltp::PlannerOptions>(m, "PlannerOptions", "What every planner can be told.");
   options.def(py::init(&from_keywords<ltp::PlannerOptions>))
+      .def("check", &ltp::PlannerOptions::check, "Raises `ValueError` that names the field.")
       .def_property(
           "length_weight", [](const ltp::PlannerOptions& o) { return o.weights.length; },
           [](ltp::PlannerOptions& o, double value) { o.weights.length = value; }, "W_L of Eq. (5)")
