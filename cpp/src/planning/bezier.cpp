@@ -65,22 +65,25 @@ Plan BezierPlanner::plan(const Scene& scene, const Query& query) {
   plan.status = refused.value_or(PlanStatus::NoneFound);
   if (!refused) {
     const Penalty penalty(options_.weights, cells.direct_length);
+    // Eq. (3) has no price for a loop back to where the UAV is: it stays there.
+    const bool moves = cells.direct_length > 0.0;
+    const int offsets = moves ? options.offsets : 1;
+    const int z_offsets = moves ? options.z_offsets : 1;
     const double goal_priority = scene.priority.at(query.goal.x(), query.goal.y());
     double best = std::numeric_limits<double>::infinity();
     Path path;
     bool stopped = false;
-    for (int k = 0; k < options.z_offsets && !stopped; ++k) {
-      for (int i = 0; i < options.offsets && !stopped; ++i) {
-        for (int j = 0; j < options.offsets && !stopped; ++j) {
+    for (int k = 0; k < z_offsets && !stopped; ++k) {
+      for (int i = 0; i < offsets && !stopped; ++i) {
+        for (int j = 0; j < offsets && !stopped; ++j) {
           // Curves are few and dear: the caller is asked at each one.
           stopped =
               (options_.max_expansions > 0 && plan.stats.expanded >= options_.max_expansions) ||
               (query.interrupted && (plan.stats.expanded & 255) == 255 && query.interrupted());
           if (stopped) break;
           ++plan.stats.expanded;
-          draw(query, offset(i, options.offsets, options.reach),
-               offset(j, options.offsets, options.reach),
-               offset(k, options.z_offsets, options.z_reach));
+          draw(query, offset(i, offsets, options.reach), offset(j, offsets, options.reach),
+               offset(k, z_offsets, options.z_reach));
           const double cost = penalty(tally(curve_, scene.priority), goal_priority);  // Eq. (7)
           if (cost >= best || !inside(scene.occupancy.frame(), cells.levels) ||
               scene.occupancy.first_blocked(curve_)) {

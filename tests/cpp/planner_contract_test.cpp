@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One contract for every planner, over all scenes: what it answers, what its paths are like, and
+// that it answers the same again.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "scenes.hpp"
+
+namespace ltp {
+namespace {
+
+using test::kInfinity;
+using test::kNan;
+using test::kPlanar;
+using test::Situation;
+
+const std::vector<Situation>& all_situations() {
+  static const std::vector<Situation> all = test::situations();
+  return all;
+}
+
+PlannerOptions quick_options() {
+  PlannerOptions options;
+  options.bezier.offsets = 9;
+  options.bezier.reach = 12.0;
+  options.bezier.z_offsets = 3;
+  options.bezier.z_reach = 6.0;
+  options.bezier.segments = 12;
+  return options;
+}
+
+/// All of an answer but the time that it took, byte by byte.
+bool same(const Plan& a, const Plan& b) {
+  return a.status == b.status && a.path.rows() == b.path.rows() &&
+         std::memcmp(a.path.data(), b.path.data(), a.path.size() * sizeof(double)) == 0 &&
+         a.tally.length == b.tally.length && a.tally.priority == b.tally.priority &&
+         a.penalty == b.penalty && a.bound == b.bound && a.stats.expanded == b.stats.expanded &&
+         a.stats.pushed == b.stats.pushed;
+}
+
+class PlannerContract : public ::testing::TestWithParam<std::string> {
+ protected:
+  static std::unique_ptr<Planner> make(const PlannerOptions& options = quick_options()) {
+    return make_planner(GetParam(), options);
+  }
+};
+
+TEST(PlannerNames, AreTheFiveOfThePaper) {
+  const std::vector<std::string_view> expected = {"lp-dijkstra", "lp-a-star", "wlp-a-star", "ggwp",
+                                                  "bezier"};
+  EXPECT_EQ(planner_names(), expected);
+  try {
+    make_planner("dijkstra");
+    ADD_FAILURE() << "an unknown planner was made";
+  } catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("'dijkstra'"), std::string::npos) << text;
+    for (const std::string_view name : expected) {
+      EXPECT_NE(text.find(name), std::string::npos) << text;
+    }
+  }
+}
+
+TEST_P(PlannerContract, HasItsNameAndSaysWhetherItProves) {
+  EXPECT_EQ(make()->name(), GetParam());
+  EXPECT_EQ(make()->complete(), GetParam() != "bezier");
+}
+
+TEST_P(PlannerContract, GivesTheStatusThatAFloodGives) {
+  const std::unique_ptr<Planner> planner = make();
+  int judged = 0;
+  int found = 0;
+  for (const Situation& situation : all_situations()) {
+    const Plan plan = planner->plan(situation.scene(), situation.query);
+    const PlanStatus expected = test::slow_status(situation);
+    const bool searched = expected == PlanStatus::Found || expected == PlanStatus::Unreachable;
+    if (planner->complete() || !searched) {
+      EXPECT_EQ(to_string(plan.status), to_string(expected)) << situation.name;
+    } else if (plan.status != PlanStatus::Found || expected != PlanStatus::Found) {
+      EXPECT_EQ(to_string(plan.status), "none_found") << situation.name;
+    }
+    ++judged;
+    found += plan.status == PlanStatus::Found;
+  }
+  EXPECT_GT(judged, 300);
+  EXPECT_GT(found, 80);
+}
+
+TEST_P(PlannerContract, GivesPathsThatLeadFromStartToGoalThroughFreeCellsOnly) {
+  const std::unique_ptr<Planner> planner = make();
+  int judged = 0;
+  for (const Situation& situation : all_situations()) {
+    SCOPED_TRACE(situation.name);
+    const Plan plan = planner->plan(situation.scene(), situation.query);
+    if (plan.status != PlanStatus::Found) {
+      EXPECT_EQ(plan.path.rows(), 0);
+      EXPECT_EQ(plan.penalty, kInfinity);
+      EXPECT_EQ(plan.tally.length, 0.0);
+      continue;
+    }
+    ++judged;
+    const GridFrame& frame = situation.grid.frame();
+    const LevelRange levels = test::slow_levels(frame, situation.query);
+    ASSERT_GE(plan.path.rows(), 2);
+    EXPECT_EQ(plan.path.row(0).transpose(), situation.query.start);
+    EXPECT_EQ(plan.path.row(plan.path.rows() - 1).transpose(), situation.query.goal);
+    for (Eigen::Index i = 0; i < plan.path.rows(); ++i) {
+      const Cell cell = frame.cell_of(plan.path.row(i).transpose());
+      EXPECT_TRUE(frame.contains(cell));
+      EXPECT_GE(cell.z(), levels.lowest);
+      EXPECT_LE(cell.z(), levels.highest);
+    }
+    // From centre to centre, not even the faces of a blocked cell are touched. Ends
+    // may lie on them, and a curve may have a point there.
+    const bool clear = situation.centred && planner->complete();
+    const double margin = (clear ? 1e-9 : -1e-9) * frame.cell().minCoeff();
+    EXPECT_FALSE(test::meets_blocked(situation.grid, plan.path, margin)) << plan.path;
+  }
+  EXPECT_GT(judged, 80);
+}
+
+TEST_P(PlannerContract, TalliesThePathThatItGives) {
+  for (const PenaltyWeights& weights : {PenaltyWeights{0.5, 1.0}, {1.0, 0.0}, {0.0, 2.0}}) {
+    PlannerOptions options = quick_options();
+    options.weights = weights;
+    const std::unique_ptr<Planner> planner = make(options);
+    for (const Situation& situation : all_situations()) {
+      SCOPED_TRACE(situation.name);
+      const Plan plan = planner->plan(situation.scene(), situation.query);
+      if (plan.status != PlanStatus::Found) continue;
+      const PathTally again = tally(plan.path, situation.priority);
+      EXPECT_EQ(plan.tally.length, again.length);
+      EXPECT_EQ(plan.tally.priority, again.priority);
+      // Eq. (5), written out once more.
+      const Query& query = situation.query;
+      const double direct = (query.goal - query.start).norm();
+      const double ratio = direct > 0.0 ? again.length / direct : 1.0;
+      const double mean = again.length > 0.0
+                              ? again.priority / again.length
+                              : situation.priority.at(query.goal.x(), query.goal.y());
+      EXPECT_DOUBLE_EQ(plan.penalty, weights.length * ratio - weights.priority * mean);
+      EXPECT_GE(again.length, direct * (1 - 1e-12));
+    }
+  }
+}
+
+TEST_P(PlannerContract, StaysWhereItIsWhenItIsThere) {
+  const std::unique_ptr<Planner> planner = make();
+  int judged = 0;
+  for (const Situation& situation : all_situations()) {
+    if (situation.query.start != situation.query.goal) continue;
+    const Plan plan = planner->plan(situation.scene(), situation.query);
+    if (plan.status != PlanStatus::Found) continue;
+    EXPECT_EQ(plan.tally.length, 0.0) << situation.name;
+    ++judged;
+  }
+  EXPECT_GE(judged, 3);
+}
+
+TEST_P(PlannerContract, AnswersTheSameFreshAndUsedAndAgain) {
+  const std::unique_ptr<Planner> used = make();
+  for (int round = 0; round < 2; ++round) {
+    for (const Situation& situation : all_situations()) {
+      const Plan old = used->plan(situation.scene(), situation.query);
+      EXPECT_TRUE(same(old, used->plan(situation.scene(), situation.query))) << situation.name;
+      if (round == 0) {
+        EXPECT_TRUE(same(old, make()->plan(situation.scene(), situation.query))) << situation.name;
+      }
+    }
+  }
+}
+
+TEST_P(PlannerContract, ExpandsACellAtMostOnce) {
+  const PlannerOptions options = quick_options();
+  const std::unique_ptr<Planner> planner = make(options);
+  int searched = 0;
+  for (const Situation& situation : all_situations()) {
+    const Plan plan = planner->plan(situation.scene(), situation.query);
+    const GridFrame& frame = situation.grid.frame();
+    const LevelRange levels = test::slow_levels(frame, situation.query);
+    const std::int64_t cells =
+        std::int64_t{frame.nx()} * frame.ny() * (levels.highest - levels.lowest + 1);
+    const std::int64_t curves =
+        std::int64_t{options.bezier.offsets} * options.bezier.offsets * options.bezier.z_offsets;
+    EXPECT_LE(plan.stats.expanded, planner->complete() ? cells : curves) << situation.name;
+    EXPECT_GE(plan.stats.expanded, 0);
+    EXPECT_GE(plan.stats.seconds, 0.0);
+    EXPECT_LT(plan.stats.seconds, 60.0);
+    searched += plan.stats.expanded > 0;
+  }
+  EXPECT_GT(searched, 150);
+}
+
+TEST_P(PlannerContract, GivesUpAtItsBudgetAndNotBefore) {
+  int exhausted = 0;
+  for (const Situation& situation : all_situations()) {
+    SCOPED_TRACE(situation.name);
+    const Plan whole = make()->plan(situation.scene(), situation.query);
+    const std::int64_t needed = whole.stats.expanded;
+    if (needed < 2) continue;
+    PlannerOptions options = quick_options();
+    options.max_expansions = needed - 1;
+    const Plan stopped = make(options)->plan(situation.scene(), situation.query);
+    EXPECT_EQ(to_string(stopped.status), "out_of_budget");
+    EXPECT_EQ(stopped.path.rows(), 0);
+    EXPECT_EQ(stopped.penalty, kInfinity);
+    EXPECT_EQ(stopped.stats.expanded, needed - 1);
+    options.max_expansions = needed + 1;
+    EXPECT_TRUE(same(whole, make(options)->plan(situation.scene(), situation.query)));
+    ++exhausted;
+  }
+  EXPECT_GT(exhausted, 100);
+}
+
+TEST_P(PlannerContract, StopsWhenItIsInterrupted) {
+  const GridFrame frame(Point(0, 0, 0), Point(2, 2, 4), {60, 60, 10});
+  Situation sealed{"", OccupancyGrid(frame), test::random_priority(frame, 1), {}};
+  for (int k = 0; k < 27; ++k) {
+    if (k != 13) sealed.grid.set(Cell(3, 3, 3) + Cell(k / 9 - 1, k / 3 % 3 - 1, k % 3 - 1));
+  }
+  sealed.query.start = frame.centre(Cell(3, 3, 3));
+  sealed.query.goal = frame.centre(Cell(50, 50, 5));
+  const std::unique_ptr<Planner> planner = make(PlannerOptions{});
+  int asked = 0;
+  sealed.query.interrupted = [&] { return ++asked, false; };
+  const Plan whole = planner->plan(sealed.scene(), sealed.query);
+  EXPECT_NE(to_string(whole.status), "out_of_budget");
+  EXPECT_GE(asked, 3);
+  EXPECT_LE(asked, 200);
+  const int stop = asked / 2;
+  asked = 0;
+  sealed.query.interrupted = [&] { return ++asked > stop; };
+  const Plan stopped = planner->plan(sealed.scene(), sealed.query);
+  EXPECT_EQ(to_string(stopped.status), "out_of_budget");
+  EXPECT_EQ(asked, stop + 1) << "it is not asked again once it has said so";
+  EXPECT_LT(stopped.stats.expanded, whole.stats.expanded);
+  sealed.query.interrupted = nullptr;
+  EXPECT_TRUE(same(planner->plan(sealed.scene(), sealed.query), whole));
+}
+
+TEST_P(PlannerContract, NamesWhatIsWrongWithAQuery) {
+  const Situation& good = all_situations().front();
+  struct Case {
+    const char* name;
+    void (*spoil)(Query&);
+  };
+  const Case cases[] = {
+      {"start", [](Query& q) { q.start.x() = kNan; }},
+      {"start", [](Query& q) { q.start.z() = -kInfinity; }},
+      {"goal", [](Query& q) { q.goal.y() = kNan; }},
+      {"goal", [](Query& q) { q.goal.z() = kInfinity; }},
+      {"band.below", [](Query& q) { q.band.below = -1.0; }},
+      {"band.below", [](Query& q) { q.band.below = kNan; }},
+      {"band.below", [](Query& q) { q.band.below = -kInfinity; }},
+      {"band.above", [](Query& q) { q.band.above = -1e-300; }},
+      {"band.above", [](Query& q) { q.band.above = kNan; }},
+  };
+  const std::unique_ptr<Planner> planner = make();
+  for (const Case& test : cases) {
+    Query query = good.query;
+    test.spoil(query);
+    try {
+      planner->plan(good.scene(), query);
+      ADD_FAILURE() << "a wrong " << test.name << " was accepted";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(std::string(test.name) + " = ", 0), 0u)
+          << error.what();
+    }
+  }
+  EXPECT_EQ(to_string(planner->plan(good.scene(), good.query).status), "found");
+}
+
+TEST_P(PlannerContract, NamesTheOptionThatIsWrong) {
+  struct Case {
+    const char* name;
+    void (*spoil)(PlannerOptions&);
+  };
+  const Case cases[] = {
+      {"length_weight", [](PlannerOptions& o) { o.weights.length = -1; }},
+      {"priority_weight", [](PlannerOptions& o) { o.weights.priority = kNan; }},
+      {"length_weight + priority_weight",
+       [](PlannerOptions& o) {
+         o.weights = {0.0, 0.0};
+       }},
+      {"max_expansions", [](PlannerOptions& o) { o.max_expansions = -1; }},
+      {"bezier.offsets", [](PlannerOptions& o) { o.bezier.offsets = 0; }},
+      {"bezier.offsets", [](PlannerOptions& o) { o.bezier.offsets = 40; }},
+      {"bezier.offsets", [](PlannerOptions& o) { o.bezier.offsets = -3; }},
+      {"bezier.reach", [](PlannerOptions& o) { o.bezier.reach = 0.0; }},
+      {"bezier.reach", [](PlannerOptions& o) { o.bezier.reach = kInfinity; }},
+      {"bezier.z_offsets", [](PlannerOptions& o) { o.bezier.z_offsets = 2; }},
+      {"bezier.z_reach", [](PlannerOptions& o) { o.bezier.z_reach = -0.1; }},
+      {"bezier.segments", [](PlannerOptions& o) { o.bezier.segments = 1; }},
+  };
+  for (const Case& test : cases) {
+    PlannerOptions options;
+    test.spoil(options);
+    try {
+      make(options);
+      ADD_FAILURE() << "a wrong " << test.name << " was accepted";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(std::string(test.name) + " = ", 0), 0u)
+          << error.what();
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PlannerContract,
+                         ::testing::ValuesIn(std::vector<std::string>(planner_names().begin(),
+                                                                      planner_names().end())),
+                         [](const ::testing::TestParamInfo<std::string>& planner) {
+                           std::string name = planner.param;
+                           for (char& letter : name) letter = letter == '-' ? '_' : letter;
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace ltp
