@@ -13,8 +13,6 @@
 namespace ltp::octree {
 namespace {
 
-constexpr std::string_view kBinaryMagic = "# Octomap OcTree binary file";
-constexpr std::string_view kFullMagic = "# Octomap OcTree file";
 constexpr std::size_t kLongestHeader = 65536;
 
 template <typename... Parts>

@@ -10,6 +10,8 @@
 
 namespace ltp::octree {
 
+inline constexpr std::string_view kBinaryMagic = "# Octomap OcTree binary file";  ///< `.bt`
+inline constexpr std::string_view kFullMagic = "# Octomap OcTree file";           ///< `.ot`
 inline constexpr int kDepth = 16;           ///< levels below the root
 inline constexpr int kCentreKey = 1 << 15;  ///< the key of the voxel above the world's origin
 inline constexpr float kOccupied = 3.5f;    ///< log-odds; OctoMap's default clamping

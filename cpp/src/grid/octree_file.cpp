@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iomanip>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 
@@ -93,6 +94,18 @@ octomap::OcTree to_tree(const std::string& path, const OctreeLeaves& octree, boo
   return tree;
 }
 
+/// As OctoMap writes it. Its own function reports to stderr, and prints six digits of the
+/// resolution, which would move far voxels by metres.
+void write_header(const octomap::OcTree& tree, bool binary, std::ostream& stream) {
+  stream << (binary ? octree::kBinaryMagic : octree::kFullMagic) << "\n"
+         << "# (feel free to add / change comments, but leave the first line as it is!)\n#\n"
+         << "id OcTree\n"
+         << "size " << tree.size() << "\n"
+         << "res " << std::setprecision(std::numeric_limits<double>::max_digits10)
+         << tree.getResolution() << "\n"
+         << "data\n";
+}
+
 void write_bytes(const std::string& path, const std::string& bytes) {
   const std::string temporary = path + "." + std::to_string(::getpid()) + ".tmp";
   std::error_code ignored;
@@ -148,12 +161,14 @@ void write_octree(const std::string& path, const OctreeLeaves& octree) {
   const bool binary = extension == ".bt";
   const octomap::OcTree tree = to_tree(path, octree, binary);
   std::ostringstream stream;
-  // OctoMap prints the resolution; six digits would move far voxels by metres.
-  stream << std::setprecision(std::numeric_limits<double>::max_digits10);
-  if (binary) {
-    tree.writeBinaryConst(stream);
-  } else {
-    tree.write(stream);
+  stream.imbue(std::locale::classic());
+  write_header(tree, binary, stream);
+  if (tree.getRoot() != nullptr) {
+    if (binary) {
+      tree.writeBinaryNode(stream, tree.getRoot());
+    } else {
+      tree.writeData(stream);
+    }
   }
   write_bytes(path, stream.str());
 }
