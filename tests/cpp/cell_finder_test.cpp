@@ -60,21 +60,33 @@ TEST(CellFinder, AgreesWithTheFrameOnAndNextToEveryFace) {
   EXPECT_EQ(compared, 60000);
 }
 
-TEST(CellFinder, AgreesWithTheFrameOnStrangePoints) {
-  const GridFrame frame(Point(-10, 0, 3), Point(2, 2, 4), {10, 12, 5});
-  const CellFinder finder(frame);
+TEST(CellFinder, AgreesWithTheFrameOnStrangePointsAndFrames) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double values[] = {nan,   kInfinity, -kInfinity, 1e300,  -1e300,  1e10,
-                           -1e10, 0.0,       -0.0,       5e-324, -5e-324, 4.5};
-  for (const double x : values) {
-    for (const double y : values) {
-      for (const double z : values) {
-        const Point point(x, y, z);
-        ASSERT_EQ(finder(point), frame.cell_of(point)) << point.transpose();
-        ASSERT_EQ(frame.contains(finder(point)), frame.contains(frame.cell_of(point)));
+  const double values[] = {nan, kInfinity, -kInfinity, 1e300,   -1e300, 1e10, -1e10,
+                           0.0, -0.0,      5e-324,     -5e-324, 4.5,    2e9,  2e9 - 7};
+  const GridFrame frames[] = {
+      GridFrame(Point(-10, 0, 3), Point(2, 2, 4), {10, 12, 5}),
+      // On the edge of where cells have numbers; edges and anchors at the end of numbers.
+      GridFrame(Point(0, 0, 0), Point(2, 2, 2), {20, 20, 20})
+          .shifted(Cell(999999990, -999999999, 0)),
+      GridFrame(Point(0, 1, 0), Point(1e-310, 1e300, 5e-324), {10, 12, 5}),
+      GridFrame(Point(1e18, -1e300, 1e10), Point(1, 1e290, 1e-9), {10, 12, 5}),
+  };
+  int inside = 0;
+  for (const GridFrame& frame : frames) {
+    const CellFinder finder(frame);
+    for (const double x : values) {
+      for (const double y : values) {
+        for (const double z : values) {
+          for (const Point& point : {Point(x, y, z), Point(frame.origin() + Point(x, y, z))}) {
+            ASSERT_EQ(finder(point), frame.cell_of(point)) << point.transpose();
+            inside += frame.contains(finder(point));
+          }
+        }
       }
     }
   }
+  EXPECT_GT(inside, 100);
 }
 
 }  // namespace

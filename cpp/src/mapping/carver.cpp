@@ -9,32 +9,6 @@
 #include "ltp/grid/ray_walk.hpp"
 
 namespace ltp {
-namespace {
-
-/// Cuts the segment a-b down to the box [low, high]; false if they do not meet.
-bool clip(const Point& low, const Point& high, Point& a, Point& b) {
-  const Point direction = b - a;
-  double enter = 0.0;
-  double leave = 1.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (direction[axis] == 0.0) {
-      if (a[axis] < low[axis] || a[axis] > high[axis]) return false;
-      continue;
-    }
-    const double t_low = (low[axis] - a[axis]) / direction[axis];
-    const double t_high = (high[axis] - a[axis]) / direction[axis];
-    enter = std::max(enter, std::min(t_low, t_high));
-    leave = std::min(leave, std::max(t_low, t_high));
-  }
-  if (!(enter <= leave)) return false;
-  const Point start = a;
-  // Kept inside whatever rounding does: far ends would overflow a cell's coordinates.
-  if (enter > 0.0) a = (start + enter * direction).cwiseMax(low).cwiseMin(high);
-  if (leave < 1.0) b = (start + leave * direction).cwiseMax(low).cwiseMin(high);
-  return true;
-}
-
-}  // namespace
 
 Carver::Carver(const GridFrame& voxels, const ObstacleMapOptions& options)
     : frame_(voxels),
@@ -59,8 +33,9 @@ void Carver::cast_votes(const Point& origin, const PathRef& hits, const PathRef&
       Point end = ends->row(i).transpose();
       const double length = (end - origin).norm();
       if (!std::isfinite(length)) continue;
-      if (length > options_.max_range)
+      if (length > options_.max_range) {
         end = origin + (options_.max_range / length) * (end - origin);
+      }
       const Cell voxel = voxel_of(end);
       if (frame_.contains(voxel)) {
         if (followed_.blocked(voxel)) continue;
@@ -73,17 +48,13 @@ void Carver::cast_votes(const Point& origin, const PathRef& hits, const PathRef&
 
 void Carver::follow(const Point& origin, const Point& end, const Cell& last) {
   // Lattice units count from the anchor, not from the window, so that a ray crosses the same voxels
-  // wherever the window is. The map's lattice is anchored at the world's origin.
-  const Cell first = -frame_.cell_of(Point::Zero());
-  Point a = origin.cwiseQuotient(frame_.cell());
-  Point b = end.cwiseQuotient(frame_.cell());
+  // wherever the window is.
+  const Cell first = frame_.first();
   const Point low = first.cast<double>();
   const Point high = low + Point(frame_.nx(), frame_.ny(), frame_.nz());
-  const auto inside = [&](const Point& p) {
-    return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
-  };
-  if ((!inside(a) || !inside(b)) && !clip(low, high, a, b)) return;
-  walk_segment<3>(a, b, [&](const Cell& lattice, double t_in, double t_out) {
+  const auto part = clip_segment<3>(frame_.lattice(origin), frame_.lattice(end), low, high);
+  if (part.empty) return;
+  walk_segment<3>(part.a, part.b, [&](const Cell& lattice, double t_in, double t_out) {
     const Cell voxel = lattice - first;
     // A voxel that the ray only touches was not passed; one in which it ends was not passed all the
     // way.

@@ -95,9 +95,9 @@ Cell ObstacleMap::recentre(const Point& centre) {
   const Cell shift = occupied_.frame().shift_to_centre(centre);
   if (shift.isZero()) return shift;
   const Cell voxel_shift = scaled(shift, ratio_);
+  voxels_.roll(voxel_shift);  // first: it is the one that can throw
   occupied_.roll(shift);
   blocked_.roll(shift);
-  voxels_.roll(voxel_shift);
   if (carver_) carver_->roll(voxel_shift);
   // Cells that left take their inflation with them: once or twice a second, so made anew.
   inflation_.apply(occupied_, blocked_);

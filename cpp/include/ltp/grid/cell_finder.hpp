@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "ltp/geometry/types.hpp"
@@ -27,8 +28,12 @@ class CellFinder {
       // / edge) cells of the truth: lattice coordinates are below 2^30, a window at most 2^31 cells
       // long. That is 1.1 units of the fixed point and what the origin's distance adds.
       const double doubt = 4.0 + 1e-15 * std::abs(origin) * scale;
+      // Where the frame saturates inside its own window, and for edges that have no inverse, it
+      // decides everything.
+      const double farthest = std::abs<double>(frame.first()[axis]) + frame.dims()[axis];
+      const bool usable = farthest < kFarthestCell && doubt < 0.5 * kOne;
       axes_[axis] = {origin, scale, frame.dims()[axis] * static_cast<double>(kOne),
-                     static_cast<std::int64_t>(std::min(doubt, 0.5 * kOne))};
+                     usable ? static_cast<std::int64_t>(doubt) : kOne / 2};
     }
   }
 
