@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ltp/planning/flood.hpp"
 
+#include <algorithm>
+
 #include "ltp/geometry/check.hpp"
 
 namespace ltp {
@@ -46,7 +48,8 @@ void Flood::fill(const OccupancyGrid& grid, const Cell& from, const LevelRange& 
   queued_.assign(static_cast<std::size_t>(nx_) * ny_, 0);
   queue_.clear();
   open_levels_.assign(words_, 0);
-  for (int level = levels.lowest; level <= levels.highest; ++level) {
+  const int highest = std::min(levels.highest, frame.nz() - 1);
+  for (int level = std::max(levels.lowest, 0); level <= highest; ++level) {
     open_levels_[level >> 6] |= std::uint64_t{1} << (level & 63);
   }
   touched_edge_ = false;

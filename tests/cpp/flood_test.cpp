@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The flood over bit columns against a flood over 26 neighbours, cell by cell.
+#include "ltp/planning/flood.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "scenes.hpp"
+
+namespace ltp {
+namespace {
+
+void expect_like_slow(Flood& flood, const OccupancyGrid& grid, const Cell& from,
+                      const LevelRange& levels) {
+  flood.fill(grid, from, levels);
+  const std::vector<char> expected = test::reachable(grid, from, levels);
+  const GridFrame& frame = grid.frame();
+  std::int64_t count = 0;
+  bool edge = false;
+  for (std::int64_t i = 0; i < frame.size(); ++i) {
+    const Cell cell = frame.cell_at(i);
+    ASSERT_EQ(flood.reached(cell), expected[i] != 0) << cell.transpose();
+    if (!expected[i]) continue;
+    ++count;
+    for (int axis = 0; axis < 3; ++axis) {
+      edge |= cell[axis] == 0 || cell[axis] == frame.dims()[axis] - 1;
+    }
+  }
+  ASSERT_EQ(flood.count(), count);
+  ASSERT_EQ(flood.touched_edge(), edge);
+}
+
+TEST(Flood, ReachesWhat26NeighboursReach) {
+  std::mt19937_64 random(1);
+  Flood flood;  // one for all: it must forget the last grid
+  int compared = 0;
+  for (const int nz : {1, 2, 6, 63, 64, 65, 130}) {
+    for (int k = 0; k < 40; ++k) {
+      const GridFrame frame(
+          Point(0, 0, 0), Point(2, 2, 4),
+          {1 + static_cast<int>(random() % 8), 1 + static_cast<int>(random() % 8), nz});
+      OccupancyGrid grid(frame);
+      const std::uint64_t density = 3 + random() % 5;
+      for (std::int64_t i = 0; i < frame.size(); ++i) {
+        if (random() % 10 < density) grid.set(frame.cell_at(i));
+      }
+      // Sometimes from a blocked cell: a UAV may stand in one.
+      const Cell from = frame.cell_at(static_cast<std::int64_t>(random() % frame.size()));
+      LevelRange levels{0, nz - 1};
+      if (k % 3 == 1) levels = {from.z(), from.z()};
+      if (k % 3 == 2) {
+        levels.lowest = from.z() - static_cast<int>(random() % (from.z() + 1));
+        levels.highest = from.z() + static_cast<int>(random() % (nz - from.z()));
+      }
+      expect_like_slow(flood, grid, from, levels);
+      if (HasFatalFailure()) return;
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 7 * 40);
+}
+
+TEST(Flood, AgreesOnTheScenesOfThePlanners) {
+  Flood flood;
+  for (const test::Situation& situation : test::situations()) {
+    const GridFrame& frame = situation.grid.frame();
+    if (!frame.contains(situation.query.start) || !frame.contains(situation.query.goal)) continue;
+    SCOPED_TRACE(situation.name);
+    expect_like_slow(flood, situation.grid, frame.cell_of(situation.query.start),
+                     levels_of(frame, situation.query));
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(Flood, FollowsACorridorAllTheWay) {
+  // A serpentine through 31 columns and 70 levels: news come back to a column again and again.
+  const int nz = 70;
+  OccupancyGrid grid(GridFrame(Point(0, 0, 0), Point(1, 1, 1), {31, 31, nz}));
+  for (int iz = 1; iz < nz; iz += 2) {
+    for (int ix = 0; ix < 31; ++ix) {
+      for (int iy = 0; iy < 31; ++iy) grid.set(Cell(ix, iy, iz));
+    }
+    const int end = iz / 2 % 2 == 0 ? 30 : 0;
+    grid.set(Cell(end, end, iz), false);
+  }
+  for (int iz = 0; iz < nz; iz += 2) {
+    for (int ix = 1; ix < 31; ix += 2) {
+      for (int iy = 0; iy < 31; ++iy) {
+        if (iy != (ix / 2 % 2 == 0 ? 30 : 0)) grid.set(Cell(ix, iy, iz));
+      }
+    }
+  }
+  Flood flood;
+  expect_like_slow(flood, grid, Cell(0, 0, 0), {0, nz - 1});
+  EXPECT_TRUE(flood.reached(Cell(0, 0, nz - 2)));
+  EXPECT_GT(flood.count(), 35 * 500);
+}
+
+TEST(Flood, FillsAGridOfMoreThanAMillionColumns) {
+  const GridFrame frame(Point(0, 0, 0), Point(1, 1, 1), {1200, 1100, 2});
+  OccupancyGrid grid(frame);
+  for (int ix = 0; ix < 1200; ++ix) grid.set(Cell(ix, 700, 0));
+  Flood flood;
+  flood.fill(grid, Cell(1199, 0, 0), {0, 1});
+  EXPECT_EQ(flood.count(), 2 * 1200 * 1100 - 1200);
+  flood.fill(grid, Cell(1199, 0, 0), {0, 0});
+  EXPECT_EQ(flood.count(), 1200 * 700);
+}
+
+TEST(Flood, ProvesNothingAtTheEdgeOfTheWindow) {
+  const GridFrame frame(Point(0, 0, 0), Point(1, 1, 1), {9, 9, 66});
+  const Cell middle(4, 4, 33);
+  OccupancyGrid box(frame);
+  for (std::int64_t i = 0; i < frame.size(); ++i) {
+    const Cell cell = frame.cell_at(i);
+    const bool wall = ((cell - middle).cwiseAbs().array() - Cell(2, 2, 20).array()).maxCoeff() == 0;
+    if (wall) box.set(cell);
+  }
+  Flood flood;
+  flood.fill(box, middle, {0, 65});
+  EXPECT_FALSE(flood.touched_edge());
+  EXPECT_EQ(flood.count(), 3 * 3 * 39);
+  flood.fill(box, Cell(0, 0, 0), {0, 65});
+  EXPECT_TRUE(flood.touched_edge());
+  // Shafts to each side in turn.
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int step : {-1, 1}) {
+      OccupancyGrid shaft(frame);
+      for (std::int64_t i = 0; i < frame.size(); ++i) shaft.set(frame.cell_at(i));
+      for (Cell cell = middle; frame.contains(cell); cell[axis] += step) shaft.set(cell, false);
+      flood.fill(shaft, middle, {0, 65});
+      EXPECT_TRUE(flood.touched_edge());
+      Cell end = middle;
+      end[axis] = step < 0 ? 0 : frame.dims()[axis] - 1;
+      shaft.set(end);
+      flood.fill(shaft, middle, {0, 65});
+      EXPECT_FALSE(flood.touched_edge());
+    }
+  }
+}
+
+TEST(Flood, RefusesToBeginOutside) {
+  const GridFrame frame(Point(0, 0, 0), Point(1, 1, 1), {3, 3, 5});
+  const OccupancyGrid grid(frame);
+  Flood flood;
+  EXPECT_FALSE(flood.reached(Cell(0, 0, 0))) << "nothing is reached before the first fill";
+  for (const Cell& from :
+       {Cell(-1, 0, 2), Cell(0, 3, 2), Cell(0, 0, 5), Cell(0, 0, 1), Cell(0, 0, 4)}) {
+    EXPECT_THROW(flood.fill(grid, from, {2, 3}), std::invalid_argument) << from.transpose();
+  }
+  // Levels beyond the frame are those of the frame.
+  flood.fill(grid, Cell(1, 1, 1), {-100, 1000});
+  EXPECT_EQ(flood.count(), 45);
+  for (const Cell& cell : {Cell(-1, 0, 0), Cell(0, 3, 0), Cell(0, 0, 5), Cell(0, 0, 63)}) {
+    EXPECT_FALSE(flood.reached(cell));
+  }
+}
+
+}  // namespace
+}  // namespace ltp
