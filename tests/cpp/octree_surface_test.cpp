@@ -214,8 +214,11 @@ TEST(OctreeSurface, ABoxTooLargeIsRefused) {
   EXPECT_THROW(OctreeSurface(points, 1.0), std::invalid_argument);
   points.row(1) << 1e300, 0, 0;
   EXPECT_THROW(OctreeSurface(points, 1.0), std::invalid_argument);
-  points.row(1) << 0, std::nan(""), 0;
-  EXPECT_THROW(OctreeSurface(points, 1.0), std::invalid_argument);
+  for (int axis = 0; axis < 3; ++axis) {
+    points.row(1) << 0, 0, 0;
+    points(1, axis) = std::nan("");
+    EXPECT_THROW(OctreeSurface(points, 1.0), std::invalid_argument) << axis;
+  }
   points.row(1) << 0, 0, 0;
   EXPECT_THROW(OctreeSurface(points, 0.0), std::invalid_argument);
   EXPECT_THROW(OctreeSurface(points, std::nan("")), std::invalid_argument);

@@ -29,7 +29,7 @@ std::vector<Cube> occupied_cubes(const OctreeLeaves& octree) {
     if (!leaf.occupied()) continue;
     const Point low = (leaf.centre.array() - 0.5 * leaf.size) / octree.resolution;
     const double edge = std::round(leaf.size / octree.resolution);
-    if (!(low.cwiseAbs().maxCoeff() + edge < kFarthest && edge >= 1.0)) {
+    if (!(low.array().abs() < kFarthest).all() || !(edge >= 1.0 && edge < kFarthest)) {
       check::fail("leaf.centre", leaf.centre.transpose(), "a cube of voxels near the origin");
     }
     cubes.push_back({low.array().round().matrix().cast<int>(), static_cast<int>(edge)});
@@ -43,7 +43,7 @@ std::vector<Cube> voxels_of(const PathRef& points, double resolution) {
   cubes.reserve(points.rows());
   for (Eigen::Index n = 0; n < points.rows(); ++n) {
     const Point lattice = points.row(n).transpose() / resolution;
-    if (!(lattice.cwiseAbs().maxCoeff() < kFarthest)) {  // negated for NaN
+    if (!(lattice.array().abs() < kFarthest).all()) {
       check::fail("points[" + std::to_string(n) + "]", points.row(n),
                   "three finite numbers within 1e9 voxels of the origin");
     }
