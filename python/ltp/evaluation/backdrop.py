@@ -15,10 +15,11 @@ from ltp.world import World
 from ltp.world.shading import sunlight
 
 if TYPE_CHECKING:
-    from ltp._core import Raster
     from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
     from matplotlib.figure import Figure
+
+    from ltp._core import Raster
 
 INK, FAINT = "#22262b", "#6d7480"
 GLOBAL_PATH = "#00c8e6"  # cyan, as in the paper
@@ -175,15 +176,21 @@ def draw_bar(axes: "Axes", mapped: "ScalarMappable", label: str) -> None:
 
 
 def draw_path(
-    axes: "Axes", path: ArrayLike, colour: str, label: str = "", width: float = 2.0, **style: Any
+    axes: "Axes",
+    path: ArrayLike,
+    colour: str,
+    label: str = "",
+    width: float = 2.0,
+    rim: float = 1.0,
+    **style: Any,
 ) -> None:
     """A path (n, 3) from above, with a dark and a light rim that keep it legible anywhere."""
     from matplotlib.patheffects import Normal, Stroke
 
     xy = np.asarray(path)[:, :2]
     rims = [
-        Stroke(linewidth=width + 2.2, foreground="#ffffffb0"),
-        Stroke(linewidth=width + 1.0, foreground="#1a1d22"),
+        Stroke(linewidth=width + 2.2 * rim, foreground="#ffffffb0"),
+        Stroke(linewidth=width + rim, foreground="#1a1d22"),
         Normal(),
     ]
     style = {"zorder": 4, "solid_capstyle": "round"} | style

@@ -16,6 +16,7 @@ from ltp.world import World
 
 from .backdrop import (
     FAINT,
+    GLOBAL_PATH,
     INK,
     caption,
     draw_global_path,
@@ -24,10 +25,12 @@ from .backdrop import (
     draw_path,
     draw_priority,
     draw_start,
+    dress,
     make_page,
     map_title,
     plain_axes,
     quiet_corner,
+    view_round,
 )
 from .rows import FlightRow
 from .scenarios import Scenario
@@ -35,13 +38,15 @@ from .tables import Spread, planner_title
 from .variants import at_ratio
 
 if TYPE_CHECKING:
-    from ltp._core import Raster
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+
+    from ltp._core import Raster
 
 #: Of flown paths, in order; told apart by the colour-blind too (Okabe and Ito, brightened).
 PATH_COLOURS = ("#e0409a", "#1f8be0", "#18b07b", "#f0a30a", "#e8602c", "#b9a0f0")
 
+_MARGIN = 100.0  # shown round the flown paths [m]
 _MAP_NAMES = {"binary": "binary priority map", "lpf": "low-pass priority map"}
 
 
@@ -56,11 +61,14 @@ def flown_paths_figure(
         priority: the map to draw.
     """
     config = records[0].config
+    flown = np.concatenate([record.positions for record in records])
+    view = view_round(flown, world, _MARGIN, aspect=1.0)
     figure, (left, right) = make_page(
         world,
         2,
         f"Flown paths for different weights: {planner_title(config.planner)}",
         f"{world.name}  ·  {_MAP_NAMES[config.priority_map]}",
+        view=view,
     )
     draw_heights(left, world)
     draw_priority(right, world, priority)
@@ -71,8 +79,9 @@ def flown_paths_figure(
         for record, colour in zip(records, PATH_COLOURS, strict=False):
             draw_path(axes, record.positions, colour, _weight_label(record))
         draw_drops(axes, records)
-    flown = np.concatenate([record.positions for record in records])
-    draw_legend(left, loc=quiet_corner(world.extent, flown))
+        dress(axes, view)
+    right.set_ylabel("")
+    draw_legend(left, loc=quiet_corner(view, flown))
     return figure
 
 
@@ -95,9 +104,11 @@ def global_paths_figure(
     map_title(left, "Obstacle surface")
     map_title(middle, f"Binary priority, mean {np.mean(binary.values):.2f}")
     map_title(right, f"Low-pass priority, mean {np.mean(lowpass.values):.2f}")
-    for axes, width in ((left, 1.1), (middle, 0.9), (right, 0.9)):
+    for axes in (middle, right):
+        axes.set_ylabel("")
+    for axes in (left, middle, right):
         for scenario in scenarios:
-            draw_path(axes, scenario.global_path, "#00c8e6", width=width, alpha=0.9)
+            draw_path(axes, scenario.global_path, GLOBAL_PATH, width=1.3, rim=0.5)
         starts = np.array([scenario.global_path[0] for scenario in scenarios])
         draw_start(axes, starts, 24.0)
     return figure

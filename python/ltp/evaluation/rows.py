@@ -111,7 +111,10 @@ def read_rows(path: str | os.PathLike[str]) -> list[FlightRow]:
     try:
         with Path(path).open(newline="", encoding="utf-8") as file:
             reader = csv.DictReader(file, restkey="beyond the last column")
-            return [_read_line(path, reader.line_num, line) for line in reader]
+            rows = [_read_line(path, reader.line_num, line) for line in reader]
+            if set(reader.fieldnames or ()) != set(COLUMNS):  # none but the header
+                raise ValueError(f"{path}: missing columns, it is not a table of flights")
+            return rows
     except (UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"{path} is not a table of flights: {error}") from error
 

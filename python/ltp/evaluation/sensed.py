@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from ltp._core import GridFrame, OccupancyGrid
 from numpy.typing import NDArray
+
+from ltp._core import GridFrame, OccupancyGrid
 
 if TYPE_CHECKING:
     from ltp.sim.mission import Mission

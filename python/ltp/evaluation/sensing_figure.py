@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from ltp._core import HeightSurface
 from numpy.typing import NDArray
 
+from ltp._core import HeightSurface
 from ltp.world import World
 
 from .backdrop import INK, draw_legend, draw_path, make_page, map_title, plain_axes

@@ -6,15 +6,15 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from ltp._core import HeightSurface, OccupancyGrid, Query, flood_fill
 from numpy.typing import NDArray
 
+from ltp._core import HeightSurface, OccupancyGrid, Query, flood_fill
 from ltp.config import MissionConfig
 from ltp.sim.mission import fly
 from ltp.sim.record import FlightRecord
 from ltp.world import LandClass, World
 
-from .backdrop import INK, caption, draw_legend, map_title, plain_axes
+from .backdrop import INK, caption, map_title, plain_axes
 from .sensed import Snapshot, SnapshotTaker
 from .sensing_figure import INFLATED, SENSED, SOLID, draw_cells, draw_moment
 
@@ -50,7 +50,7 @@ def trap_figure() -> "Figure":
     figure = Figure(figsize=(11.4, 10.3), facecolor="white")
     panels = figure.subplots(2, 2).reshape(-1)
     figure.subplots_adjust(
-        left=0.07, right=0.975, bottom=0.085, top=0.885, wspace=0.14, hspace=0.13
+        left=0.07, right=0.975, bottom=0.085, top=0.877, wspace=0.14, hspace=0.13
     )
     caught, freed = _turning(in_trap)
     believed = _through_solid(hollow, at_block)
@@ -62,10 +62,20 @@ def trap_figure() -> "Figure":
     )
     for axes, (world, snapshot, title) in zip(panels, scenes, strict=True):
         _draw(axes, world, snapshot)
-        map_title(axes, f"{title}  ({snapshot.time:.0f} s)")
+        map_title(axes, f"{title}  ({snapshot.time:.1f} s)")
     for axes in panels[:2]:
         axes.set_xlabel("")
-    draw_legend(panels[2], handles=_handles(panels[2]), loc="lower right", fontsize=8.5)
+    figure.legend(
+        handles=_handles(panels[2]),
+        loc="upper center",
+        bbox_to_anchor=(0.52, 0.938),
+        ncols=8,
+        fontsize=9,
+        frameon=False,
+        labelcolor=INK,
+        columnspacing=1.2,
+        handletextpad=0.5,
+    )
     caption(
         figure,
         "GGWP under surface sensing: what was not touched counts as free",

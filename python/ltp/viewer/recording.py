@@ -25,6 +25,7 @@ _MOST_HITS = 1200  # points of a scan that are kept
 
 _CYAN, _RED, _YELLOW = (0, 200, 230), (224, 33, 58), (255, 220, 0)
 _BLUE, _GREEN, _WHITE = (31, 139, 224), (24, 176, 123), (245, 245, 245)
+_GREY = (150, 156, 168)
 
 
 class FlightRecording:
@@ -176,7 +177,12 @@ class FlightRecording:
         frame = grid.frame
         if self._window is None or np.any(frame.origin != self._window):
             self._window = np.array(frame.origin)
-            box = self._rr.Boxes3D(mins=[frame.origin], sizes=[frame.upper - frame.origin])
+            box = self._rr.Boxes3D(
+                mins=[frame.origin],
+                sizes=[frame.upper - frame.origin],
+                colors=_GREY,
+                fill_mode="majorwireframe",
+            )
             self._log("map/window", box)
         centres = _cell_centres(grid)
         state = (len(centres), centres.tobytes())

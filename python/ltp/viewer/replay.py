@@ -12,6 +12,8 @@ from pathlib import Path
 
 from .rerun_module import require_rerun
 
+# `python -m rerun_cli` forgets the viewer's exit status.
+_VIEWER = "import sys; from rerun_cli.__main__ import main; sys.exit(main())"
 _MAGIC = (b"RRF2", b"RRIO")  # how a recording begins
 
 
@@ -34,7 +36,7 @@ def replay(path: str | os.PathLike[str]) -> int:
         if stream.read(4) not in _MAGIC:
             raise ValueError(f"{path} is not a recording (.rrd)")
     require_rerun("rerun_cli")
-    viewer = [sys.executable, "-m", "rerun_cli"]
+    viewer = [sys.executable, "-c", _VIEWER]
     with tempfile.TemporaryDirectory(prefix="ltp-viewer-") as settings:
         environment = os.environ | {"XDG_CONFIG_HOME": settings}
         subprocess.run(
