@@ -240,7 +240,9 @@ def test_a_missing_extra_is_told_with_its_command(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, world: str
 ) -> None:
     survey = tmp_path / "survey.las"
-    pytest.importorskip("laspy").create(point_format=6, file_version="1.4").write(survey)
+    points = pytest.importorskip("laspy").create(point_format=6, file_version="1.4")
+    points.x, points.y, points.z = [0.0, 9.0], [0.0, 9.0], [1.0, 2.0]
+    points.write(survey)
     monkeypatch.setitem(sys.modules, "laspy", None)
     assert 'pip install "ltp[geo]"' in fail("world", "import", "las", survey, "-o", "w.npz")
     monkeypatch.setitem(sys.modules, "rerun", None)

@@ -78,7 +78,7 @@ def fly(
     Settings come from --config; the options named here win over it.
     """
     place = open_world(world)
-    given = {
+    given: dict[str, Any] = {
         "planner": planner,
         "length_weight": length_weight,
         "priority_weight": priority_weight,

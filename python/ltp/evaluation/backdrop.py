@@ -193,13 +193,13 @@ def draw_path(
         Stroke(linewidth=width + rim, foreground="#1a1d22"),
         Normal(),
     ]
-    style = {"zorder": 4, "solid_capstyle": "round"} | style
+    style = {"zorder": 4, "solid_capstyle": "round", **style}
     axes.plot(*xy.T, color=colour, lw=width, label=label, path_effects=rims, **style)
 
 
 def draw_global_path(axes: "Axes", path: ArrayLike, label: str = "global path") -> None:
     """Dotted cyan with a red start, as in the paper."""
-    dots = {"linestyle": (0, (0.1, 1.9)), "dash_capstyle": "round", "zorder": 3}
+    dots: dict[str, Any] = {"linestyle": (0, (0.1, 1.9)), "dash_capstyle": "round", "zorder": 3}
     draw_path(axes, path, GLOBAL_PATH, label, 2.6, **dots)
     draw_start(axes, np.asarray(path)[:1])
 

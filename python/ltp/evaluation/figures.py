@@ -7,7 +7,7 @@ figure carries the attribution line of its world.
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -156,7 +156,13 @@ def draw_drops(axes: "Axes", records: Sequence[FlightRecord]) -> None:
     if not drops:
         return
     goals = np.array(list(drops.values()))
-    style = {"marker": "X", "s": 95, "color": "#fff200", "edgecolor": "#1a1d22", "lw": 1.1}
+    style: dict[str, Any] = {
+        "marker": "X",
+        "s": 95,
+        "color": "#fff200",
+        "edgecolor": "#1a1d22",
+        "lw": 1.1,
+    }
     label = "way-point proved unreachable"
     axes.scatter(goals[:, 0], goals[:, 1], zorder=7, label=label, **style)
 

@@ -134,9 +134,9 @@ def flight_row(
         plans=len(record.plans),
         plans_found=sum(plan.status == "found" for plan in record.plans),
         expanded=sum(plan.expanded for plan in record.plans),
-        time_plan_mean=times and 1e3 * times.mean,
-        time_plan_median=times and 1e3 * times.median,
-        time_plan_p95=times and 1e3 * times.p95,
+        time_plan_mean=1e3 * times.mean if times else None,
+        time_plan_median=1e3 * times.median if times else None,
+        time_plan_p95=1e3 * times.p95 if times else None,
         time_plans="|".join(f"{1e3 * value:.4g}" for value in record.plan_seconds),
         time_flight=seconds,
     )

@@ -3,7 +3,7 @@
 """An obstacle map seen in a slice at flight altitude: volume against surface sensing."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -81,16 +81,22 @@ def draw_moment(axes: "Axes", snapshot: Snapshot, max_range: float) -> None:
     """UAV, its sensor's range, what it has flown and what it plans, its goal."""
     from matplotlib.patches import Circle
 
-    position = snapshot.position
-    axes.add_patch(
-        Circle(position[:2], max_range, fill=False, ec="#6d7480", lw=1.0, ls=(0, (4, 3)))
-    )
+    x, y = (float(value) for value in snapshot.position[:2])
+    axes.add_patch(Circle((x, y), max_range, fill=False, ec="#6d7480", lw=1.0, ls=(0, (4, 3))))
     axes.plot(*snapshot.flown[:, :2].T, color=FLOWN, lw=1.6, zorder=4, label="flown")
     if len(snapshot.path):
         draw_path(axes, snapshot.path, PLAN, "plan", 2.0)
-    style = {"zorder": 6, "edgecolor": "white", "lw": 1.0}
-    axes.scatter(*position[:2], s=70, color=FLOWN, label="UAV", **style)
-    axes.scatter(*snapshot.goal[:2], s=150, marker="*", color=GOAL, label="way-point", **style)
+    style: dict[str, Any] = {"zorder": 6, "edgecolor": "white", "lw": 1.0}
+    axes.scatter(x, y, s=70, color=FLOWN, label="UAV", **style)
+    axes.scatter(
+        snapshot.goal[0],
+        snapshot.goal[1],
+        s=150,
+        marker="*",
+        color=GOAL,
+        label="way-point",
+        **style,
+    )
 
 
 def _handles(axes: "Axes") -> list[object]:

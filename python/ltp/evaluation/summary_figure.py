@@ -97,7 +97,7 @@ def _draw_sensed(axes: "Axes", sensed: SensedTrace) -> None:
     if not len(corners):
         return
     unit = np.array([(0, 0), (1, 0), (1, 1), (0, 1)]) * sensed.cell
-    squares = corners[:, None, :] + unit
+    squares = list(corners[:, None, :] + unit)
     cells = PolyCollection(squares, facecolor=_SENSED, edgecolor="none", zorder=2.5)
     cells.set_label("obstacle cells sensed at flight altitude")
     axes.add_collection(cells)

@@ -5,6 +5,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -98,7 +99,7 @@ def _surface_blocks(world: World, step: int) -> _Blocks:
     return _Blocks(world, step * world.cell, rounded, colours)
 
 
-def _patches(values: NDArray[np.generic], step: int) -> NDArray[np.generic]:
+def _patches(values: NDArray[Any], step: int) -> NDArray[Any]:
     """(nx, step, ny, step): patches of cells, the border repeated where they stick out."""
     pad = [(0, -n % step) for n in values.shape]
     padded = np.pad(values, pad, mode="edge")
@@ -113,7 +114,7 @@ def _columns_mesh(blocks: _Blocks) -> Mesh:
     )
 
 
-def _runs(*keys: NDArray[np.generic]) -> tuple[NDArray[np.int64], ...]:
+def _runs(*keys: NDArray[Any]) -> tuple[NDArray[np.int64], ...]:
     """Runs of equal keys along axis 1: their row, first column, and the column after the last."""
     new = np.ones(keys[0].shape[:2], dtype=np.bool_)
     new[:, 1:] = False
@@ -156,7 +157,7 @@ def _quads(
     corners: list[tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64]]],
     colours: NDArray[np.float64],
 ) -> Mesh:
-    points = np.stack([np.stack(corner, axis=-1) for corner in corners], axis=1)
+    points: NDArray[np.float64] = np.stack([np.stack(c, axis=-1) for c in corners], axis=1)
     x_min, y_min, x_max, y_max = blocks.world.extent
     points = points * (blocks.edge, blocks.edge, 1.0) + (x_min, y_min, 0.0)
     points = np.minimum(points, (x_max, y_max, np.inf))
