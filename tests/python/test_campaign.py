@@ -5,6 +5,7 @@
 import csv
 import dataclasses
 import json
+import multiprocessing
 import os
 import signal
 import subprocess
@@ -19,6 +20,7 @@ from hypothesis import strategies as st
 
 from ltp.config import MissionConfig
 from ltp.evaluation.campaign import JOURNAL, RECORDS, TABLE, Campaign, run_campaign
+from ltp.evaluation.flights import record_path
 from ltp.evaluation.journal import Journal
 from ltp.evaluation.rows import COLUMNS, TIME_PREFIX, FlightRow, read_rows, write_rows
 from ltp.evaluation.scenarios import ScenarioOptions, make_scenarios
@@ -121,9 +123,30 @@ def test_another_setting_is_another_flight(tmp_path: Path) -> None:
 def test_records_are_kept_on_request(tmp_path: Path) -> None:
     rows = run_campaign(small_campaign(1), tmp_path, keep_records=True)
     for line in rows:
-        record = FlightRecord.load(tmp_path / RECORDS / f"{line.key}.npz")
+        record = FlightRecord.load(record_path(tmp_path / RECORDS, line.key))
         assert record.config.planner == line.planner
         assert record.length == line.length
+    record_path(tmp_path / RECORDS, rows[0].key).unlink()
+    log = Log()
+    assert run_campaign(small_campaign(1), tmp_path, keep_records=True, observers=[log]) == rows
+    assert log.keys == [rows[0].key]
+    assert len(journal_keys(tmp_path)) == 2
+
+
+def test_a_worker_that_is_killed_ends_the_campaign_in_order(tmp_path: Path) -> None:
+    class Saboteur(Log):
+        def on_flight(self, row: FlightRow) -> None:
+            super().on_flight(row)
+            if len(self.keys) == 1:
+                os.kill(multiprocessing.active_children()[0].pid, signal.SIGKILL)
+
+    saboteur = Saboteur()
+    campaign = small_campaign(6)
+    with pytest.raises(RuntimeError, match="a process of the campaign was killed"):
+        run_campaign(campaign, tmp_path, processes=2, observers=[saboteur])
+    assert 1 <= len(saboteur.keys) < 12
+    assert sorted(row.key for row in read_rows(tmp_path / TABLE)) == sorted(saboteur.keys)
+    assert multiprocessing.active_children() == []
 
 
 PROGRAM = """

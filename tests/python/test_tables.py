@@ -88,7 +88,7 @@ def test_the_best_values_are_marked() -> None:
     rows += flights(TABLE_I[1], [0.8], length_ratio=1.20, time_plans="9")
     rows += flights(TABLE_I[6], [0.4], length_ratio=1.054, time_plans="3")
     text = markdown_table([summarise(TABLE_I[i], rows) for i in (0, 1, 6)])
-    assert re.findall(r"\*\*(.*?)\*\*", text) == ["1.05", "0.80", "1.05", "3"]
+    assert re.findall(r"\*\*(.*?)\*\*", text) == ["1.05", "0.80", "1.05", "3.00"]
     assert len({line.count("|") for line in text.splitlines()}) == 1
     alone = markdown_table([summarise(TABLE_I[0], rows)])
     assert "**" not in alone  # nothing to compare with
@@ -100,9 +100,12 @@ def test_rows_find_their_tables() -> None:
     assert table_variants(rows) == {
         "Table I: binary priority map": list(TABLE_I),
         "Table II: low-pass priority map": list(TABLE_II),
-        "Others": [bezier],
+        "Not in the paper's tables: binary priority map": [bezier],
     }
-    assert list(table_variants(flights(bezier, [0.5]))) == ["Others"]
+    steep = Variant("lp-dijkstra", 0.5, 5.0, "lpf")
+    assert table_variants(flights(steep, [0.5])) == {
+        "Not in the paper's tables: low-pass priority map": [steep]
+    }
 
 
 def test_the_csv_has_the_same_numbers_unrounded() -> None:

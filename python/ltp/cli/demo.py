@@ -27,7 +27,7 @@ def demo(
     """
     from ltp.config import MissionConfig
     from ltp.evaluation.campaign import RECORDS, TABLE, Campaign, run_campaign
-    from ltp.evaluation.flights import mission_config
+    from ltp.evaluation.flights import mission_config, record_path
     from ltp.evaluation.scenarios import ScenarioOptions, make_scenarios
     from ltp.evaluation.variants import TABLE_I, Variant
     from ltp.planners import PLANNERS
@@ -66,7 +66,7 @@ def demo(
     keys = {
         flight.variant: flight.key for flight in campaign.flights() if flight.scenario.index == 0
     }
-    kept = [FlightRecord.load(out / RECORDS / f"{keys[v]}.npz") for v in drawn.values()]
+    kept = [FlightRecord.load(record_path(out / RECORDS, keys[v])) for v in drawn.values()]
     write_tables(rows, out)
     draw_summary(world, [record, *kept], sensed, out / "demo.png")
     tell("flights", out / TABLE)

@@ -18,7 +18,7 @@ from typing import Protocol
 from ltp.config import MissionConfig
 from ltp.world import World
 
-from .flights import Flight, flight_key, mission_config, world_digest
+from .flights import Flight, flight_key, mission_config, record_path, world_digest
 from .journal import Journal
 from .rows import FlightRow, write_rows
 from .scenarios import Scenario
@@ -83,8 +83,8 @@ def run_campaign(
         folder: of this campaign; made if it is not there. A journal in it is gone on with, also if
             it holds other flights: of more variants, of another world.
         processes: to fly in; 1 flies in this one.
-        keep_records: also keep each flight's record. A flight whose row is kept is not flown again
-            for its record.
+        keep_records: also keep each flight's record. A flight that has a row but no record is flown
+            again for it; its row stays as it is.
         observers: are told how it goes.
         crew: flies instead of `processes` processes.
 
@@ -104,7 +104,7 @@ def run_campaign(
     flights = campaign.flights()
     with Journal(folder / JOURNAL) as journal:
         # Scenario by scenario: slow and fast planners take turns, which steadies the time left.
-        waiting = [flight for flight in flights if flight.key not in journal.rows]
+        waiting = [flight for flight in flights if not _kept(flight, journal, records)]
         waiting.sort(key=lambda flight: flight.scenario.index)
         crew = crew or _crew(campaign, records, min(processes, len(waiting)))
         for observer in observers:
@@ -112,7 +112,8 @@ def run_campaign(
         try:
             with contextlib.closing(crew.fly(waiting)) as finished:
                 for row in finished:
-                    journal.append(row)
+                    if row.key not in journal.rows:
+                        journal.append(row)
                     for observer in observers:
                         observer.on_flight(row)
         finally:
@@ -121,6 +122,12 @@ def run_campaign(
             for observer in observers:
                 observer.on_end()
     return rows
+
+
+def _kept(flight: Flight, journal: Journal, records: Path | None) -> bool:
+    return flight.key in journal.rows and (
+        records is None or record_path(records, flight.key).exists()
+    )
 
 
 def _crew(campaign: Campaign, records: Path | None, processes: int) -> Crew:

@@ -226,7 +226,7 @@ def _band(
     axes.fill_between(ratios, mean - sd, mean + sd, color=colour, alpha=0.18, lw=0.0)
     for edge in (mean - sd, mean + sd):
         axes.plot(ratios, edge, color=colour, lw=1.0, ls="--", alpha=0.8)
-    axes.plot(ratios, mean, color=colour, lw=2.2, marker="o", ms=5, mec="white")
+    axes.plot(ratios, mean, color=colour, lw=2.2, marker="o", ms=5, mec="white", clip_on=False)
     axes.grid(color="#e6e8ec", lw=0.8)
     axes.set_axisbelow(True)
     axes.set_xlim(0.0, max(ratios) * 1.02)

@@ -73,6 +73,11 @@ def flight_key(digest: str, config: MissionConfig, scenario: Scenario) -> str:
     return hashlib.sha256(text.encode()).hexdigest()[:_KEY_LENGTH]
 
 
+def record_path(folder: Path, key: str) -> Path:
+    """Where the record of a flight is kept."""
+    return folder / f"{key}.npz"
+
+
 class Pilot:
     """Flies flights over one world; keeps what they share: the judge's cells.
 
@@ -95,7 +100,7 @@ class Pilot:
         record = fly(self._world, config, flight.scenario.global_path)
         seconds = time.perf_counter() - begin
         if self._records is not None:
-            record.save(self._records / f"{flight.key}.npz")
+            record.save(record_path(self._records, flight.key))
         return flight_row(
             record, flight.scenario, flight.key, seconds, self._world, self._judge(record)
         )

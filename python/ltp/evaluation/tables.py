@@ -100,14 +100,17 @@ def summarise(variant: Variant, rows: Iterable[FlightRow]) -> Summary:
 def table_variants(rows: Iterable[FlightRow]) -> dict[str, list[Variant]]:
     """The tables that the rows can fill: title -> variants, in the paper's order.
 
-    Variants that are in neither table of the paper gather under "Others".
+    Variants that are in neither table of the paper gather by their map.
     """
     flown = list(dict.fromkeys(Variant(*row.variant) for row in rows))
     tables = {
         "Table I: binary priority map": [variant for variant in TABLE_I if variant in flown],
         "Table II: low-pass priority map": [variant for variant in TABLE_II if variant in flown],
-        "Others": [variant for variant in flown if variant not in TABLE_I + TABLE_II],
     }
+    others = [variant for variant in flown if variant not in TABLE_I + TABLE_II]
+    for kind, title in (("binary", "binary"), ("lpf", "low-pass")):
+        mine = [variant for variant in others if variant.priority_map == kind]
+        tables[f"Not in the paper's tables: {title} priority map"] = mine
     return {title: variants for title, variants in tables.items() if variants}
 
 
@@ -220,7 +223,7 @@ _COLUMNS = (
 _BRIEF = {
     "algorithm": "algorithm",
     "W_L": "W_L",
-    "W_P": " W_P",
+    "W_P": "W_P",
     "mean P (SD)": "P",
     "L_LP/L_GP (SD)": "L",
     "ms per plan": "ms",
