@@ -56,6 +56,15 @@ std::pair<double, double> slab(double a, double d, double low, double high) {
   return std::minmax((low - a) / d, (high - a) / d);
 }
 
+/// How far a point lies inside the column that holds it: from its top and its walls [m].
+double depth_in_column(const Raster& heights, const Point& point) {
+  const int i = heights.index_of(0, point.x());
+  const int j = heights.index_of(1, point.y());
+  const double x = point.x() - (heights.origin().x() + i * heights.cell());
+  const double y = point.y() - (heights.origin().y() + j * heights.cell());
+  return std::min({x, y, heights.cell() - x, heights.cell() - y, heights(i, j) - point.z()});
+}
+
 /// The slow answer: the nearest of all columns whose interior the ray enters.
 double slow_range(const Raster& heights, const Point& origin, const Point& direction,
                   double max_range) {
@@ -203,6 +212,7 @@ TEST(HeightSurface, CastAgreesOnRaysThatRunAlongTheLattice) {
       if (!hit.hit()) continue;
       ++hits;
       ASSERT_NEAR(hit.range, expected, 1e-9);
+      ASSERT_GT(depth_in_column(surface.heights(), hit.inside), 0.9 * kHitMargin);
     }
   }
   EXPECT_GT(hits, 2000);
@@ -273,6 +283,32 @@ TEST(HeightSurface, EveryHitFallsIntoACellThatOccupancySets) {
   EXPECT_GT(checked, 4000);
 }
 
+TEST(HeightSurface, NothingChangesFarFromTheOriginOfTheWorld) {
+  // Projected coordinates, as real cities have them.
+  Random random(9);
+  const Eigen::Vector2d far(448262.5, 5411932.25);
+  const Point shift(far.x(), far.y(), 0);
+  const Raster here = random_city(random, 40, 40, {0, 0}, 1.0);
+  const HeightSurface near_surface(here);
+  const HeightSurface far_surface(Raster(here.values(), far, 1.0));
+  const OccupancyGrid occupied =
+      far_surface.occupancy(GridFrame(shift - Point(20, 20, 40), {2, 2, 4}, {40, 40, 30}));
+  int hits = 0;
+  for (int ray = 0; ray < 2000; ++ray) {
+    const Point from = random_point(random, here);
+    const Point direction = random_direction(random);
+    const RayHit a = near_surface.cast(from, direction, 80);
+    const RayHit b = far_surface.cast(from + shift, direction, 80);
+    ASSERT_EQ(a.hit(), b.hit());
+    if (!a.hit()) continue;
+    ++hits;
+    ASSERT_NEAR(a.range, b.range, 1e-6);
+    ASSERT_LT((b.inside - shift - a.inside).norm(), 1e-6);
+    ASSERT_TRUE(occupied.blocked_at(b.inside) || !occupied.frame().contains(b.inside));
+  }
+  EXPECT_GT(hits, 500);
+}
+
 TEST(HeightSurface, OccupancyAgreesWithOverlapsOfBoxes) {
   Random random(5);
   const double least = 1e-6;
@@ -329,6 +365,17 @@ TEST(HeightSurface, AWallAndATopAreHitWhereTheyStand) {
   const RayHit started_inside = surface.cast({2.5, 1.5, 3}, {0, 0.6, 0.8}, 50);
   EXPECT_EQ(started_inside.range, 0);
   EXPECT_TRUE(started_inside.inside.isApprox(Point(2.5, 1.5, 3)));
+}
+
+TEST(HeightSurface, AWallHitJustBelowATopFallsIntoTheTopsCell) {
+  const HeightSurface surface(Raster(Raster::Values::Constant(4, 4, 4.0), {0, 0}, 1.0));
+  const OccupancyGrid occupied = surface.occupancy(GridFrame(Point(0, 0, 0), {2, 2, 4}, {2, 2, 3}));
+  for (const double below : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    const RayHit hit = surface.cast({-3, 1.5, 4 - below}, {1, 0, 0}, 50);
+    ASSERT_TRUE(hit.hit()) << below;
+    EXPECT_GT(depth_in_column(surface.heights(), hit.inside), 0.9 * kHitMargin) << below;
+    EXPECT_TRUE(occupied.blocked_at(hit.inside)) << below;
+  }
 }
 
 TEST(HeightSurface, NothingStandsBeyondTheRastersEdge) {

@@ -185,6 +185,15 @@ TEST(OctreeSurface, AFarRayFindsTheBoxAndAnEmptyOneFindsNothing) {
   EXPECT_FALSE(OctreeSurface(Path(0, 3), 1.0).cast({0, 0, 0}, {1, 0, 0}, 1e6).hit());
 }
 
+TEST(OctreeSurface, ARayThroughTheEdgeBetweenTwoVoxelsGoesOn) {
+  Path points(2, 3);
+  points << 0.5, 0.5, 0.5, 1.5, 1.5, 0.5;
+  const OctreeSurface surface(points, 1.0);
+  const double d = std::sqrt(0.5);
+  EXPECT_FALSE(surface.cast({2, 0, 0.5}, {-d, d, 0}, 50).hit());
+  EXPECT_TRUE(surface.cast({2, 0.001, 0.5}, {-d, d, 0}, 50).hit());
+}
+
 TEST(OctreeSurface, LargeLeavesAreCutIntoVoxelsAndFreeOnesLeftOut) {
   const OctreeLeaves octree{0.5, {{{2, 2, 2}, 4.0, 1.0}, {{-1, -1, -1}, 2.0, -1.0}}};
   const OctreeSurface surface(octree);
