@@ -79,41 +79,46 @@ clean:  ## remove all that was made, but the virtual environment and out/
 # ---- set-up: each stamp stands for a step done, and is as old as that step ----------------------
 
 $(STAMPS)/system: .ci/system-packages
-	mkdir -p $(STAMPS)
-	PYTHON="$(PYTHON)" .ci/system-packages > $@
+	@mkdir -p $(STAMPS)
+	@PYTHON="$(PYTHON)" .ci/system-packages > $@
 
 # What pyproject.toml needs to build the package: without pip's isolation, which would start the
 # build from scratch each time.
 $(VENV)/ready: $(STAMPS)/system pyproject.toml
-	[ -x $(BIN)/python ] || "$$(cat $(STAMPS)/system)" -m venv $(VENV)
-	$(BIN)/python -c "import tomllib; build = tomllib.load(open('pyproject.toml', 'rb')); \
+	@echo "ltp: setting up $(VENV)"
+	@[ -x $(BIN)/python ] || "$$(cat $(STAMPS)/system)" -m venv $(VENV)
+	@$(BIN)/python -c "import tomllib; build = tomllib.load(open('pyproject.toml', 'rb')); \
 	  print('\n'.join(build['build-system']['requires']))" > $(STAMPS)/requirements.txt
-	$(PIP) install --requirement $(STAMPS)/requirements.txt
-	touch $@
+	@$(PIP) install --requirement $(STAMPS)/requirements.txt
+	@touch $@
 
 $(WHEEL): $(VENV)/ready $(SOURCES)
-	rm -rf dist $(STAMPS)/wheel-*
-	$(PIP) wheel . --no-build-isolation --no-deps --wheel-dir dist \
+	@echo "ltp: building the package (the first time takes some minutes)"
+	@rm -rf dist $(STAMPS)/wheel-*
+	@$(PIP) wheel . --no-build-isolation --no-deps --wheel-dir dist \
 	  --config-settings=build-dir=build/python \
 	  --config-settings=cmake.define.LTP_WARNINGS_AS_ERRORS=$(WERROR)
-	touch $@
+	@touch $@
 
 # The package, then the extras that one wants of it. pip leaves an installed package of the same
 # version alone, hence the force.
 $(STAMPS)/package: $(WHEEL)
-	$(PIP) install dist/*.whl
-	$(PIP) install --force-reinstall --no-deps dist/*.whl
-	touch $@
+	@echo "ltp: installing the package into $(VENV)"
+	@$(PIP) install dist/*.whl
+	@$(PIP) install --force-reinstall --no-deps dist/*.whl
+	@touch $@
 
 $(STAMPS)/viewer: EXTRAS := viewer
 $(STAMPS)/test: EXTRAS := viewer,geo,test
 $(STAMPS)/dev: EXTRAS := viewer,geo,test,dev
 $(STAMPS)/viewer $(STAMPS)/test $(STAMPS)/dev: $(STAMPS)/package
-	$(PIP) install "$$(echo dist/*.whl)[$(EXTRAS)]"
-	touch $@
+	@echo "ltp: installing what ltp[$(EXTRAS)] needs into $(VENV)"
+	@$(PIP) install "$$(echo dist/*.whl)[$(EXTRAS)]"
+	@touch $@
 
 .PHONY: build-tests
 build-tests: $(STAMPS)/system
-	cmake -S . -B build/tests -G Ninja -DCMAKE_BUILD_TYPE=Release -DLTP_BUILD_TESTS=ON \
-	  -DLTP_WARNINGS_AS_ERRORS=$(WERROR)
-	cmake --build build/tests
+	@echo "ltp: building the C++ tests"
+	@cmake -S . -B build/tests -G Ninja -DCMAKE_BUILD_TYPE=Release -DLTP_BUILD_TESTS=ON \
+	  -DLTP_WARNINGS_AS_ERRORS=$(WERROR) --log-level=WARNING
+	@cmake --build build/tests
