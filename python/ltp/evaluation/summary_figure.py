@@ -47,14 +47,15 @@ def summary_figure(
     """
     config = records[0].config
     length = float(np.linalg.norm(np.diff(records[0].global_path, axis=0), axis=1).sum())
-    height = float(records[0].global_path[0, 2])
+    heights = records[0].global_path[:, 2]
+    height = f"{heights.min():.0f}" + (f" ... {heights.max():.0f}" if np.ptp(heights) > 1.0 else "")
     flown = np.concatenate([record.positions for record in records])
     view = view_round(flown, world, _MARGIN)
     figure, (axes,) = make_page(
         world,
         1,
         "Where the global path runs through buildings, a local one finds its way",
-        f"{world.name}  ·  {length:.0f} m at z = {height:.0f} m  ·  W_L = "
+        f"{world.name}  ·  {length:.0f} m at z = {height} m  ·  W_L = "
         f"{config.length_weight:g}, W_P = {config.priority_weight:g}, {config.priority_map} map",
         gap=0.0,
         size=size,
