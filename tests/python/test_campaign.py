@@ -15,7 +15,7 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from ltp.config import MissionConfig
@@ -313,6 +313,15 @@ texts = st.text(st.characters(codec="utf-8", exclude_characters="\x00"), max_siz
 reals = st.floats(allow_nan=False)
 
 
+@example(
+    world='a\rb\nc,"d"',
+    length=0.1,
+    priority=0.0,
+    clearance=1e300,
+    time=None,
+    collided=False,
+    scenario=0,
+)
 @given(
     world=texts,
     length=reals,

@@ -9,7 +9,7 @@ import math
 import os
 import types
 import typing
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -92,13 +92,10 @@ def from_mapping(values: Mapping[str, Any]) -> FlightRow:
 
 def write_rows(path: str | os.PathLike[str], rows: Iterable[FlightRow]) -> None:
     """Write the CSV, all or nothing; numbers as their shortest exact text."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(COLUMNS)
-    for row in rows:
-        writer.writerow([_text(value) for value in to_mapping(row).values()])
+    lines = [_line(COLUMNS)]
+    lines += [_line([_text(value) for value in to_mapping(row).values()]) for row in rows]
     with atomic_write(path) as file:
-        file.write(text.getvalue().encode())
+        file.write("".join(lines).encode())
 
 
 def read_rows(path: str | os.PathLike[str]) -> list[FlightRow]:
@@ -117,6 +114,13 @@ def read_rows(path: str | os.PathLike[str]) -> list[FlightRow]:
             return rows
     except (UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"{path} is not a table of flights: {error}") from error
+
+
+def _line(cells: Sequence[str]) -> str:
+    # With its own line ending the writer also quotes a lone carriage return.
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\r\n").writerow(cells)
+    return text.getvalue().removesuffix("\r\n") + "\n"
 
 
 def _read_line(path: str | os.PathLike[str], number: int, line: Mapping[str, Any]) -> FlightRow:
