@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ltp authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A stranger's program: plans round a wall on an installed ltp. README.md shows it.
+// A stranger's program: plans round a wall on an installed ltp. README.md shows the same lines.
 #include <iostream>
 #include <ltp/planning/planner.hpp>
 
@@ -14,5 +14,4 @@ int main() {
   const auto planner = ltp::make_planner("lp-a-star");
   const ltp::Plan plan = planner->plan({grid, priority}, {{20, 20, 20}, {180, 20, 20}});
   std::cout << ltp::to_string(plan.status) << ", " << plan.tally.length << " m\n";
-  return plan.status == ltp::PlanStatus::Found ? 0 : 1;
 }

@@ -109,6 +109,22 @@ def test_command_and_module_are_one() -> None:
     ]
 
 
+def code_in_readme(language: str) -> str:
+    """The first block of a language."""
+    match = re.search(rf"```{language}\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+    assert match is not None
+    return match[1]
+
+
+def test_the_python_of_the_readme_runs() -> None:
+    assert re.match(r"PlanStatus.FOUND \d", run(sys.executable, "-c", code_in_readme("python")))
+
+
+def test_the_cpp_of_the_readme_is_the_program_that_is_tested() -> None:
+    program = (ROOT / "tests/consumer/plan_a_path.cpp").read_text()
+    assert code_in_readme("cpp") == program[program.index("#include") :]
+
+
 def test_every_source_names_its_licence() -> None:
     header = re.compile(
         r"(#!.*\n)?(#|//) SPDX-FileCopyrightText: \d{4} The ltp authors\n"
