@@ -47,17 +47,17 @@ class GridFrame:
         """
         (3,) int: the cell that holds a point [m]; may lie outside.
         """
-    def centre(self, cell: typing.Annotated[numpy.typing.ArrayLike, numpy.int32, "[3, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+    def centre(self, cell: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], "FixedSize(3)"]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,): the centre of a cell, world [m].
+        (3,): the centre of a cell, world [m]. cell: three integers.
         """
     def contains(self, point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> bool:
         """
         Whether a point (3,) [m] lies inside the grid.
         """
-    def shifted(self, by: typing.Annotated[numpy.typing.ArrayLike, numpy.int32, "[3, 1]"]) -> GridFrame:
+    def shifted(self, by: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], "FixedSize(3)"]) -> GridFrame:
         """
-        The same lattice, its window moved by whole cells (3,) int.
+        The same lattice, its window moved by whole cells (three integers). ValueError beyond 10^9 cells.
         """
     @property
     def cell(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -152,9 +152,9 @@ class OccupancyGrid:
         """
         Arc length [m] at which a path (N, 3) first touches a blocked cell, exactly; None if it touches none.
         """
-    def roll(self, shift: typing.Annotated[numpy.typing.ArrayLike, numpy.int32, "[3, 1]"]) -> None:
+    def roll(self, shift: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], "FixedSize(3)"]) -> None:
         """
-        Moves the window by whole cells (3,) int; what leaves is forgotten, what enters is free.
+        Moves the window by whole cells (three integers); what leaves is forgotten, what enters is free.
         """
     def to_array(self) -> numpy.typing.NDArray[numpy.bool]:
         """
@@ -858,6 +858,10 @@ class PlannerOptions:
         ...
     def __repr__(self) -> str:
         ...
+    def check(self) -> None:
+        """
+        Raises `ValueError` that names the field.
+        """
     @property
     def length_weight(self) -> float:
         """
@@ -917,6 +921,10 @@ class NavigationOptions:
         ...
     def __repr__(self) -> str:
         ...
+    def check(self) -> None:
+        """
+        Raises `ValueError` that names the field.
+        """
     @property
     def band(self) -> tuple[float, float]:
         """

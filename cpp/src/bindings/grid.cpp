@@ -11,6 +11,10 @@
 namespace {
 
 using BoolArray = py::array_t<bool, py::array::c_style>;
+/// Cells that come from Python: as an Eigen vector, 0.5 and 2^32 would silently become 0.
+using Integers = std::array<int, 3>;
+
+ltp::Cell cell_from(const Integers& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
 std::string shape_of(const py::array& array) {
   return py::str(array.attr("shape")).cast<std::string>();
@@ -26,13 +30,14 @@ ltp::OccupancyGrid from_array(const py::array& blocked, const ltp::GridFrame& fr
     ltp::check::fail("blocked.shape", shape_of(blocked), "the frame's dims, (nx, ny, nz)");
   }
   const BoolArray dense = BoolArray::ensure(blocked);
-  const bool* values = dense.data();
+  // Read as bytes: a view of other data as bool may hold more than 0 and 1.
+  const auto* values = static_cast<const std::uint8_t*>(dense.request().ptr);
   ltp::OccupancyGrid grid(frame);
   for (int ix = 0; ix < frame.nx(); ++ix) {
     for (int iy = 0; iy < frame.ny(); ++iy) {
       std::uint64_t* column = grid.column(ix, iy);
       for (int iz = 0; iz < frame.nz(); ++iz) {
-        column[iz >> 6] |= std::uint64_t{*values++} << (iz & 63);
+        column[iz >> 6] |= std::uint64_t{*values++ != 0} << (iz & 63);
       }
     }
   }
@@ -95,12 +100,23 @@ void bind_grid(py::module_& m) {
       .def_property_readonly("dims", &ltp::GridFrame::dims, "cells along x, y, z")
       .def("cell_of", &ltp::GridFrame::cell_of, "point"_a,
            "(3,) int: the cell that holds a point [m]; may lie outside.")
-      .def("centre", &ltp::GridFrame::centre, "cell"_a, "(3,): the centre of a cell, world [m].")
+      .def(
+          "centre",
+          [](const ltp::GridFrame& frame, const Integers& cell) {
+            return frame.centre(cell_from(cell));
+          },
+          "cell"_a, "(3,): the centre of a cell, world [m]. cell: three integers.")
       .def("contains", py::overload_cast<const ltp::Point&>(&ltp::GridFrame::contains, py::const_),
            "point"_a, "Whether a point (3,) [m] lies inside the grid.")
-      .def("shifted", &ltp::GridFrame::shifted, "by"_a,
-           "The same lattice, its window moved by whole cells (3,) int.")
-      .def("__eq__", &ltp::GridFrame::operator==, "other"_a)
+      .def(
+          "shifted",
+          [](const ltp::GridFrame& frame, const Integers& by) {
+            return frame.shifted(cell_from(by));
+          },
+          "by"_a,
+          "The same lattice, its window moved by whole cells (three integers). ValueError beyond "
+          "10^9 cells.")
+      .def("__eq__", &ltp::GridFrame::operator==, "other"_a, py::is_operator())
       .def("__repr__", [](const ltp::GridFrame& frame) {
         std::ostringstream text;
         const Eigen::IOFormat row(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ", ", ", "", "",
@@ -165,10 +181,11 @@ void bind_grid(py::module_& m) {
           "points"_a,
           "bool (N,): whether the cells that hold points (N, 3) [m] are blocked; False outside.")
       .def(
-          "roll", [](ltp::OccupancyGrid& grid, const ltp::Cell& shift) { grid.roll(shift); },
+          "roll",
+          [](ltp::OccupancyGrid& grid, const Integers& shift) { grid.roll(cell_from(shift)); },
           "shift"_a,
-          "Moves the window by whole cells (3,) int; what leaves is forgotten, what enters is "
-          "free.")
+          "Moves the window by whole cells (three integers); what leaves is forgotten, what enters "
+          "is free.")
       .def(
           "first_blocked",
           [](const ltp::OccupancyGrid& grid, const ltp::PathRef& path, double from_arc_length) {
@@ -178,5 +195,5 @@ void bind_grid(py::module_& m) {
           "path"_a, "from_arc_length"_a = 0.0,
           "Arc length [m] at which a path (N, 3) first touches a blocked cell, exactly; None if it "
           "touches none.")
-      .def("__eq__", &ltp::OccupancyGrid::operator==, "other"_a);
+      .def("__eq__", &ltp::OccupancyGrid::operator==, "other"_a, py::is_operator());
 }
