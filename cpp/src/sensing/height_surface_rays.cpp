@@ -98,18 +98,14 @@ void HeightSurface::cast_fan(const Point& origin, const Eigen::Vector2d& heading
   const GroundTrack track(heights_, origin.x(), origin.y(), heading.x(), heading.y());
   if (fan.size() == 0 || !track.crosses()) return;
 
-  const TrackAxis x = track.x;
-  const TrackAxis y = track.y;
-  const int i = x.cell_after(track.enter);
-  const int j = y.cell_after(track.enter);
-  const double* height = values(0) + static_cast<std::size_t>(i) * heights_.ny() + j;
-  const std::ptrdiff_t stride = std::ptrdiff_t{x.step} * heights_.ny();
-  double edge_x = x.step > 0 ? i + 1 : i;
-  double edge_y = y.step > 0 ? j + 1 : j;
-  double t_x = x.step == 0 ? kInfinity : x.time(edge_x);
-  double t_y = y.step == 0 ? kInfinity : y.time(edge_y);
-  double t_in = track.enter;
-  int face = track.axis;
+  // The walk goes slab by slab along the axis that the track crosses faster; within a slab it
+  // passes one cell or two (three where rounding splits a corner).
+  const bool along_x = std::abs(heading.x()) >= std::abs(heading.y());
+  const TrackAxis along = along_x ? track.x : track.y;
+  const TrackAxis across = along_x ? track.y : track.x;
+  const std::ptrdiff_t ny = heights_.ny();
+  const std::ptrdiff_t along_stride = along_x ? ny : 1;
+  const std::ptrdiff_t across_stride = along_x ? 1 : ny;
 
   // Every beam below this one is settled: it has hit something, or can no longer.
   int lowest = -1;
@@ -121,47 +117,56 @@ void HeightSurface::cast_fan(const Point& origin, const Eigen::Vector2d& heading
     if (++lowest == fan.size()) return false;
     slope = fan[lowest].slope;
     reach = max_range * fan[lowest].cosine;
-    if (slope > 0.0) reach = std::min(reach, headroom / slope * (1.0 + 1e-12));
+    if (slope > 0.0) reach = std::min(reach, headroom * fan[lowest].run * (1.0 + 1e-12));
     if (slope >= 0.0 && headroom <= 0.0) reach = 0.0;
+    return true;
+  };
+  /// Settles the beams that a cell blocks; whether any are left.
+  const auto sweep = [&](int a, int b, double t_in, double t_out, int face) {
+    const int i = along_x ? a : b;
+    const int j = along_x ? b : a;
+    const double height = values(0)[i * ny + j];
+    while (base + (slope < 0.0 ? t_out : t_in) * slope < height) {
+      const BeamFan::Beam& beam = fan[lowest];
+      const bool top_hit = base + t_in * slope >= height;
+      const double t = top_hit ? std::min(std::max((height - base) * beam.run, t_in), t_out) : t_in;
+      const double range = t * beam.stretch;
+      if (range < max_range) {
+        hits[lowest].range = range;
+        hits[lowest].inside = inside_column(
+            heights_, i, j, height, top_hit ? kTopFace : face,
+            {origin.x() + t * heading.x(), origin.y() + t * heading.y(), base + t * slope});
+      }
+      if (!next_beam()) return false;
+    }
     return true;
   };
   next_beam();
 
-  while (true) {
-    const double t_out = std::min(t_x, t_y);
-    if (base + (slope < 0.0 ? t_out : t_in) * slope < *height) {
-      const bool top_hit = base + t_in * slope >= *height;
-      const double t =
-          top_hit ? std::min(std::max((*height - base) * fan[lowest].run, t_in), t_out) : t_in;
-      const double range = t * fan[lowest].stretch;
-      if (range < max_range) {
-        hits[lowest].range = range;
-        hits[lowest].inside = inside_column(
-            heights_, static_cast<int>(edge_x) - (x.step > 0),
-            static_cast<int>(edge_y) - (y.step > 0), *height, top_hit ? kTopFace : face,
-            {origin.x() + t * heading.x(), origin.y() + t * heading.y(), base + t * slope});
+  int a = along.cell_after(track.enter);
+  int b = across.cell_after(track.enter);
+  int face = track.axis;
+  double t_in = track.enter;
+  for (;; a += along.step, face = along_x ? 0 : 1) {
+    const double t_out = std::min(along.time(along.step > 0 ? a + 1 : a), track.leave);
+    const int b_out = across.cell_after(t_out);
+    const double* slab = values(0) + a * along_stride;
+    const double higher = std::max(slab[b * across_stride], slab[b_out * across_stride]);
+    if (base + (slope < 0.0 ? t_out : t_in) * slope < higher || std::abs(b_out - b) > 1) {
+      double entered = t_in;
+      for (; b != b_out; b += across.step, face = along_x ? 1 : 0) {
+        const double left = std::min(across.time(across.step > 0 ? b + 1 : b), t_out);
+        if (entered < left && !sweep(a, b, entered, left, face)) return;
+        entered = std::max(entered, left);
       }
-      if (!next_beam()) return;
-      continue;
+      if (entered < t_out && !sweep(a, b, entered, t_out, face)) return;
     }
-    if (t_out >= reach) {
+    b = b_out;
+    while (t_out >= reach) {
       if (!next_beam()) return;
-      continue;
     }
     if (t_out >= track.leave) return;
     t_in = t_out;
-    if (t_x <= t_in) {
-      height += stride;
-      edge_x += x.step;
-      t_x = x.time(edge_x);
-      face = 0;
-    }
-    if (t_y <= t_in) {
-      height += y.step;
-      edge_y += y.step;
-      t_y = y.time(edge_y);
-      face = 1;
-    }
   }
 }
 

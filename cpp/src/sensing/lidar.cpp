@@ -11,7 +11,7 @@ namespace ltp {
 namespace {
 
 constexpr double kRadians = 0.017453292519943295;
-constexpr std::int64_t kMostRays = std::int64_t{1} << 24;
+constexpr std::int64_t kMostRays = std::int64_t{1} << 20;  // a tenth of a second
 constexpr double kLevel = 1e-12;  // a body axis this near to the world's is upright
 
 enum Draw : std::uint64_t { kRangeDraw = 0, kDropOutDraw = 2 };  // a normal takes two numbers
@@ -114,7 +114,7 @@ class Sorter {
 void LidarPattern::check() const {
   if (azimuths < 1) check::fail("azimuths", azimuths, "at least 1");
   if (rows < 1) check::fail("rows", rows, "at least 1");
-  if (size() > kMostRays) check::fail("azimuths * rows", size(), "at most 2^24 rays");
+  if (size() > kMostRays) check::fail("azimuths * rows", size(), "at most 2^20 rays");
   check::finite("azimuth_from_deg", azimuth_from_deg);
   check::finite("azimuth_to_deg", azimuth_to_deg);
   const double span = azimuth_to_deg - azimuth_from_deg;
