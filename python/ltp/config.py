@@ -86,7 +86,7 @@ class MissionConfig:
 
     def to_dict(self) -> dict[str, Any]:
         """All settings as plain values: numbers, strings, lists, nested dictionaries."""
-        return _plain(self)
+        return {name: _plain(getattr(self, name)) for name in _fields(self)}
 
     @classmethod
     def from_dict(cls, values: dict[str, Any]) -> Self:
@@ -161,9 +161,7 @@ def _assign(holder: Any, values: dict[str, Any], prefix: str) -> None:
                 else:
                     _assign(current, value, key + ".")
                     value = current
-            elif isinstance(current, bool) != isinstance(value, bool):
-                raise ValueError(f"{key} = {value!r}: expected {type(current).__name__}")
-            elif isinstance(current, str) != isinstance(value, str):
+            elif any(isinstance(current, t) != isinstance(value, t) for t in (bool, str)):
                 raise ValueError(f"{key} = {value!r}: expected {type(current).__name__}")
             setattr(holder, name, value)
         except TypeError as error:

@@ -50,7 +50,8 @@ def test_an_open_field_is_flown_straight(planner: str) -> None:
 def test_a_tower_in_the_way_is_flown_round(planner: str) -> None:
     surface = flat_world()
     surface[100:120, 60:130] = 60.0
-    record = ltp.fly(make_world(surface), small_config(planner=planner), line((40, 100), (180, 100)))
+    path = line((40, 100), (180, 100))
+    record = ltp.fly(make_world(surface), small_config(planner=planner), path)
     assert record.outcome is Outcome.REACHED
     assert record.complete
     assert record.min_clearance > 1.0

@@ -122,9 +122,7 @@ class FlightRecord:
             "mean_priority": self.mean_priority,
             "length": self.length,
             "way_points": [vars(event) for event in self.way_points],
-            "plans": [
-                {k: v for k, v in vars(plan).items() if k != "path"} for plan in self.plans
-            ],
+            "plans": [{k: v for k, v in vars(plan).items() if k != "path"} for plan in self.plans],
             "metadata": self.metadata,
         }
         with atomic_write(path) as file:
