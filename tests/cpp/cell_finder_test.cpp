@@ -62,8 +62,8 @@ TEST(CellFinder, AgreesWithTheFrameOnAndNextToEveryFace) {
 
 TEST(CellFinder, AgreesWithTheFrameOnStrangePointsAndFrames) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double values[] = {nan, kInfinity, -kInfinity, 1e300,   -1e300, 1e10, -1e10,
-                           0.0, -0.0,      5e-324,     -5e-324, 4.5,    2e9,  2e9 - 7};
+  const double values[] = {nan,  kInfinity, -kInfinity, 1e300, -1e300, 1e10, -1e10,  0.0,
+                           -0.0, 5e-324,    -5e-324,    4.5,   27.5,   2e9,  2e9 - 7};
   const GridFrame frames[] = {
       GridFrame(Point(-10, 0, 3), Point(2, 2, 4), {10, 12, 5}),
       // On the edge of where cells have numbers; edges and anchors at the end of numbers.

@@ -141,17 +141,35 @@ TEST_F(ObstacleMapFile, TheMapReadsWhatOctoMapWrote) {
 
 TEST_F(ObstacleMapFile, LoadingKeepsWhatTheMapKnows) {
   ObstacleMap file(small_map(true));
+  file.insert(Point(1, 9, 1), Eigen::RowVector3d(1, 15, 1));
   file.insert(Point(1, 1, 1), Eigen::RowVector3d(11, 1, 1));  // passes (3 ... 9, 1, 1)
   file.save(path("map.ot"));
   ObstacleMap map(small_map(true));
   map.insert(Point(1, 1, 1), Eigen::RowVector3d(5, 1, 1));
   map.insert(Point(13, 1, 1), Eigen::RowVector3d(9, 1, 1));
   map.insert(Point(13, 1, 1), Eigen::RowVector3d(5, 1, 1));
+  for (int i = 0; i < 3; ++i) map.insert(Point(1, 9, 1), Eigen::RowVector3d(1, 15, 1));
   map.load(path("map.ot"));
   EXPECT_FLOAT_EQ(map.log_odds_at(Point(5, 1, 1)), 1.7f);    // hit twice here, free there
   EXPECT_FLOAT_EQ(map.log_odds_at(Point(7, 1, 1)), -0.4f);   // one vote here, one there
   EXPECT_FLOAT_EQ(map.log_odds_at(Point(11, 1, 1)), 0.85f);  // free here, hit there
   EXPECT_TRUE(map.occupied().blocked_at(Point(11, 1, 1)));
+  EXPECT_FLOAT_EQ(map.log_odds_at(Point(1, 15, 1)), 2.55f);  // hit thrice here, once there
+}
+
+TEST_F(ObstacleMapFile, LogOddsOfZeroAreOccupiedAsInOctoMap) {
+  octomap::OcTree tree(2.0);
+  tree.setNodeValue(octomap::point3d(5, 1, 1), 0.0f);
+  ASSERT_TRUE(tree.isNodeOccupied(tree.search(5.0, 1.0, 1.0)));
+  ASSERT_TRUE(tree.write(path("zero.ot")));
+  for (const bool carve : {false, true}) {
+    ObstacleMap map(small_map(carve));
+    map.load(path("zero.ot"));
+    EXPECT_EQ(map.voxels().count(), 1);
+    EXPECT_FLOAT_EQ(map.log_odds_at(Point(5, 1, 1)), 0.85f);
+    map.insert(Point(1, 1, 1), Eigen::RowVector3d(9, 1, 1));  // passes it
+    EXPECT_TRUE(map.occupied().blocked_at(Point(5, 1, 1)));
+  }
 }
 
 }  // namespace

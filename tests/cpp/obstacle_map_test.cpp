@@ -215,6 +215,12 @@ TEST(ObstacleMap, RefusesToGoWhereCoordinatesEnd) {
   }
   EXPECT_EQ(map.voxels().count(), 1);
   EXPECT_TRUE(map.blocked().blocked_at(Point(5, 5, 5)));
+
+  ObstacleMapOptions high = small_map();
+  high.cell.z() = 20.0;  // ten voxels: 9e8 cells fit, 9e9 voxels wrap round in an int
+  ObstacleMap tall(high);
+  EXPECT_THROW(tall.recentre(Point(0, 0, 1.8e10)), std::invalid_argument);
+  EXPECT_THROW(ObstacleMap(high, Point(0, 0, 1.8e10)), std::invalid_argument);
 }
 
 TEST(ObstacleMapOptions, NamesTheFieldThatIsWrong) {
