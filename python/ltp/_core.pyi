@@ -710,6 +710,8 @@ class PlanStatus:
     START_BLOCKED: typing.ClassVar[PlanStatus]
     UNREACHABLE: typing.ClassVar[PlanStatus]
     __members__: typing.ClassVar[dict[str, PlanStatus]]
+    def __bool__(self) -> bool:
+        ...
     @typing.overload
     def __eq__(self, other: PlanStatus) -> bool:
         ...
@@ -984,6 +986,8 @@ class NavigationStatus:
     FOLLOWING: typing.ClassVar[NavigationStatus]
     HOLDING: typing.ClassVar[NavigationStatus]
     __members__: typing.ClassVar[dict[str, NavigationStatus]]
+    def __bool__(self) -> bool:
+        ...
     @typing.overload
     def __eq__(self, other: NavigationStatus) -> bool:
         ...

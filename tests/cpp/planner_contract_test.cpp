@@ -298,6 +298,8 @@ TEST_P(PlannerContract, NamesTheOptionThatIsWrong) {
       {"bezier.z_offsets", [](PlannerOptions& o) { o.bezier.z_offsets = 2; }},
       {"bezier.z_reach", [](PlannerOptions& o) { o.bezier.z_reach = -0.1; }},
       {"bezier.segments", [](PlannerOptions& o) { o.bezier.segments = 1; }},
+      {"bezier.segments", [](PlannerOptions& o) { o.bezier.segments = -5; }},
+      {"bezier.segments", [](PlannerOptions& o) { o.bezier.segments = 2000000000; }},
   };
   for (const Case& test : cases) {
     PlannerOptions options;

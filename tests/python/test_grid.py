@@ -186,7 +186,9 @@ def slow_integral(raster: ltp.Raster, a: np.ndarray, b: np.ndarray) -> float:
     for axis, count in enumerate(raster.shape):
         lines = raster.origin[axis] + raster.cell * np.arange(count + 1)
         if a[axis] != b[axis]:
-            cuts += [t for t in (lines - a[axis]) / (b[axis] - a[axis]) if 0 < t < 1]
+            with np.errstate(over="ignore"):
+                times = (lines - a[axis]) / (b[axis] - a[axis])
+            cuts += [t for t in times if 0 < t < 1]
     t = np.sort(cuts)
     middles = a + (0.5 * (t[1:] + t[:-1]))[:, None] * (b - a)
     values = raster.at(middles[:, 0], middles[:, 1])

@@ -22,7 +22,7 @@ import numpy as np, ltp
 frame = ltp.GridFrame((0, 0, 0), (2, 2, 4), (200, 200, 40))
 scene = ltp.Scene(ltp.OccupancyGrid(frame), ltp.Raster(np.full((200, 200), 0.5), cell=2.0))
 query = ltp.Query((1, 1, 2), (399, 399, 158))
-bezier = ltp.BezierOptions(offsets=2001)
+bezier = ltp.BezierOptions(offsets=2001, segments=int(sys.argv[2]))
 planner = ltp.make_planner(sys.argv[1], bezier=bezier)
 print("ready", flush=True)
 try:
@@ -33,12 +33,14 @@ except KeyboardInterrupt:
 """
 
 
-@pytest.mark.parametrize("name", ltp.PLANNERS)
+@pytest.mark.parametrize(
+    ("name", "segments"), [*((name, 64) for name in ltp.PLANNERS), ("bezier", 100_000)]
+)
 def test_ctrl_c_ends_a_search_over_a_million_cells(
-    name: str, capsys: pytest.CaptureFixture
+    name: str, segments: int, capsys: pytest.CaptureFixture
 ) -> None:
     with subprocess.Popen(
-        [sys.executable, "-c", FOREVER, name], stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", FOREVER, name, str(segments)], stdout=subprocess.PIPE, text=True
     ) as process:
         try:
             assert process.stdout is not None

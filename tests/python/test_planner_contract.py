@@ -267,5 +267,18 @@ def test_a_flood_needs_a_start_inside() -> None:
     with pytest.raises(ValueError, match=r"^from = "):
         ltp.flood_fill(grid, ltp.Query((100, 0, 0), centre(3, 3, 1)))
     for bad in ((NAN, 0, 0), (INF, 0, 0)):
-        with pytest.raises(ValueError, match="= "):
+        with pytest.raises(ValueError, match=r"^start = "):
             ltp.flood_fill(grid, ltp.Query(bad, centre(3, 3, 1)))
+        with pytest.raises(ValueError, match=r"^goal = "):
+            ltp.flood_fill(grid, ltp.Query(centre(3, 3, 1), bad))
+
+
+def test_no_status_turns_into_a_bool_by_itself() -> None:
+    members = [*PlanStatus.__members__.values(), *ltp.NavigationStatus.__members__.values()]
+    assert len(members) == 7 + 4
+    for status in members:
+        with pytest.raises(TypeError, match="has no truth value"):
+            bool(status)
+        assert status == type(status)(int(status))
+        assert (status == 0) is False
+        assert {status: 1}[status] == 1

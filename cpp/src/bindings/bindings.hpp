@@ -51,6 +51,13 @@ Options from_keywords(const py::kwargs& keywords) {
   return options;
 }
 
+/// What `bool(status)` does: every status is true, the failures too, so asking is a mistake.
+template <typename Enum>
+bool no_truth_value(const Enum& status) {
+  const std::string name = py::repr(py::cast(status));
+  throw py::type_error(name + " has no truth value: compare it with a status");
+}
+
 /// A repr that lists the fields of an options or result struct.
 template <typename Class>
 void list_fields(Class& cls, std::initializer_list<const char*> names) {

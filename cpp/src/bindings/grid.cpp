@@ -32,6 +32,7 @@ ltp::OccupancyGrid from_array(const py::array& blocked, const ltp::GridFrame& fr
   const BoolArray dense = BoolArray::ensure(blocked);
   // Read as bytes: a view of other data as bool may hold more than 0 and 1.
   const auto* values = static_cast<const std::uint8_t*>(dense.request().ptr);
+  const py::gil_scoped_release release;
   ltp::OccupancyGrid grid(frame);
   for (int ix = 0; ix < frame.nx(); ++ix) {
     for (int iy = 0; iy < frame.ny(); ++iy) {
@@ -48,6 +49,7 @@ BoolArray to_array(const ltp::OccupancyGrid& grid) {
   const ltp::GridFrame& frame = grid.frame();
   BoolArray dense({frame.nx(), frame.ny(), frame.nz()});
   bool* values = dense.mutable_data();
+  const py::gil_scoped_release release;
   for (int ix = 0; ix < frame.nx(); ++ix) {
     for (int iy = 0; iy < frame.ny(); ++iy) {
       const std::uint64_t* column = grid.column(ix, iy);

@@ -23,7 +23,7 @@ ltp::NavigationStatus update(Ltp& self, const ltp::Point& position) {
   ltp::NavigationStatus status;
   {
     const py::gil_scoped_release release;
-    status = self.update(position, signal_pending);
+    status = self.update(position, SignalWatch());
   }
   raise_pending_signal();
   return status;
@@ -64,6 +64,7 @@ void bind_navigation(py::module_& m) {
       .value("ESCAPING", ltp::NavigationStatus::Escaping,
              "leaving a blocked cell by the nearest free one")
       .value("HOLDING", ltp::NavigationStatus::Holding, "no path and no proof: stay")
+      .def("__bool__", &no_truth_value<ltp::NavigationStatus>)
       .def_property_readonly("label",
                              [](ltp::NavigationStatus status) { return ltp::to_string(status); });
 

@@ -6,6 +6,7 @@
 #include "bindings.hpp"
 #include "interrupt.hpp"
 #include "ltp/planning/flood.hpp"
+#include "ltp/planning/grid_query.hpp"
 #include "ltp/planning/planner.hpp"
 
 namespace {
@@ -19,7 +20,7 @@ class SharedPlanner {
   const ltp::Planner& planner() const { return *planner_; }
 
   ltp::Plan plan(const ltp::Scene& scene, ltp::Query query) {
-    query.interrupted = signal_pending;
+    query.interrupted = SignalWatch();
     ltp::Plan plan;
     {
       const py::gil_scoped_release release;
@@ -73,7 +74,8 @@ void bind_values(py::module_& m) {
       .value("UNREACHABLE", ltp::PlanStatus::Unreachable,
              "proved: no free path exists on this grid")
       .value("NONE_FOUND", ltp::PlanStatus::NoneFound, "gave up without proof")
-      .value("OUT_OF_BUDGET", ltp::PlanStatus::OutOfBudget, "the caller's limit was reached first");
+      .value("OUT_OF_BUDGET", ltp::PlanStatus::OutOfBudget, "the caller's limit was reached first")
+      .def("__bool__", &no_truth_value<ltp::PlanStatus>);
 
   auto stats = py::class_<ltp::SearchStats>(m, "SearchStats", "What a search did.");
   stats.def_readonly("expanded", &ltp::SearchStats::expanded, "cells (or curves) examined")
@@ -127,14 +129,16 @@ void bind_options(py::module_& m) {
 
 /// The cells that a flood over faces reaches from a point, bool (nx, ny, nz).
 py::array_t<bool> flood_fill(const ltp::OccupancyGrid& grid, const ltp::Query& query) {
+  ltp::check_query(query);
   const ltp::GridFrame& frame = grid.frame();
+  py::array_t<bool> out({frame.nx(), frame.ny(), frame.nz()});
+  bool* reached = out.mutable_data();
+  const py::gil_scoped_release release;
   ltp::Flood flood;
   flood.fill(grid, frame.cell_of(query.start), ltp::levels_of(frame, query));
-  py::array_t<bool> out({frame.nx(), frame.ny(), frame.nz()});
-  auto reached = out.mutable_unchecked<3>();
   for (int ix = 0; ix < frame.nx(); ++ix) {
     for (int iy = 0; iy < frame.ny(); ++iy) {
-      for (int iz = 0; iz < frame.nz(); ++iz) reached(ix, iy, iz) = flood.reached({ix, iy, iz});
+      for (int iz = 0; iz < frame.nz(); ++iz) *reached++ = flood.reached({ix, iy, iz});
     }
   }
   return out;

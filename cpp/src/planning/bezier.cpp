@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ltp/planning/bezier.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "ltp/planning/stopwatch.hpp"
 
 namespace ltp {
 namespace {
+
+constexpr int kAskAfterPieces = 1 << 14;
 
 /// The i-th of `count` offsets spread evenly over [-reach, reach]; the middle one is 0.
 double offset(int i, int count, double reach) {
@@ -16,11 +19,10 @@ double offset(int i, int count, double reach) {
 
 }  // namespace
 
-BezierPlanner::BezierPlanner(const PlannerOptions& options)
-    : options_(options),
-      basis_(options.bezier.segments + 1, 3),
-      curve_(options.bezier.segments + 1, 3) {
+BezierPlanner::BezierPlanner(const PlannerOptions& options) : options_(options) {
   options.check();
+  basis_.resize(options.bezier.segments + 1, 3);
+  curve_.resize(options.bezier.segments + 1, 3);
   for (int i = 0; i < basis_.rows(); ++i) {
     const double s = static_cast<double>(i) / options.bezier.segments;
     const double r = 1.0 - s;
@@ -69,6 +71,7 @@ Plan BezierPlanner::plan(const Scene& scene, const Query& query) {
     const bool moves = cells.direct_length > 0.0;
     const int offsets = moves ? options.offsets : 1;
     const int z_offsets = moves ? options.z_offsets : 1;
+    const std::int64_t ask_every = std::max(1, kAskAfterPieces / options.segments);
     const double goal_priority = scene.priority.at(query.goal.x(), query.goal.y());
     double best = std::numeric_limits<double>::infinity();
     Path path;
@@ -76,10 +79,11 @@ Plan BezierPlanner::plan(const Scene& scene, const Query& query) {
     for (int k = 0; k < z_offsets && !stopped; ++k) {
       for (int i = 0; i < offsets && !stopped; ++i) {
         for (int j = 0; j < offsets && !stopped; ++j) {
-          // Curves are few and dear: the caller is asked at each one.
+          // Curves are dear: the caller is asked after so many pieces of them.
           stopped =
               (options_.max_expansions > 0 && plan.stats.expanded >= options_.max_expansions) ||
-              (query.interrupted && (plan.stats.expanded & 255) == 255 && query.interrupted());
+              (query.interrupted && plan.stats.expanded % ask_every == ask_every - 1 &&
+               query.interrupted());
           if (stopped) break;
           ++plan.stats.expanded;
           draw(query, offset(i, offsets, options.reach), offset(j, offsets, options.reach),

@@ -73,7 +73,9 @@ void PlannerOptions::check() const {
   odd("bezier.z_offsets", bezier.z_offsets);
   check::positive("bezier.reach", bezier.reach);
   check::not_negative("bezier.z_reach", bezier.z_reach);
-  if (bezier.segments < 2) check::fail("bezier.segments", bezier.segments, "a number >= 2");
+  if (bezier.segments < 2 || bezier.segments > 100000) {
+    check::fail("bezier.segments", bezier.segments, "a number from 2 to 100000");
+  }
 }
 
 LevelRange levels_of(const GridFrame& frame, const Query& query) {

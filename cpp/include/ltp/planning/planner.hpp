@@ -89,7 +89,7 @@ struct BezierOptions {
   double reach = 60.0;   ///< largest sideways offset [m], > 0
   int z_offsets = 1;     ///< offsets tried in height for both control points together, odd and >= 1
   double z_reach = 0.0;  ///< largest offset in height [m], >= 0
-  int segments = 64;     ///< straight pieces that the curve is flown in, >= 2
+  int segments = 64;     ///< straight pieces that the curve is flown in, 2 to 100000
 };
 
 /// What every planner can be told. A planner ignores what does not concern it.
