@@ -37,6 +37,8 @@ help:  ## say what there is to make
 
 .PHONY: demo
 demo: $(STAMPS)/viewer  ## fly the built-in city with every planner, into out/demo
+	@# A demo that was stopped goes on, but not with the flights of another build.
+	@[ out/demo/journal.jsonl -nt $(STAMPS)/package ] || rm -rf out/demo
 	$(BIN)/ltp demo --out out/demo
 
 .PHONY: test
@@ -49,7 +51,8 @@ lint: $(STAMPS)/dev  ## check layout, style and types
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
-	$(BIN)/clang-format --dry-run -Werror $(CPP_FILES)
+	@echo "$(BIN)/clang-format --dry-run -Werror ($(words $(CPP_FILES)) files)"
+	@$(BIN)/clang-format --dry-run -Werror $(CPP_FILES)
 
 .PHONY: format
 format: $(STAMPS)/dev  ## lay out all sources
@@ -120,5 +123,5 @@ $(STAMPS)/viewer $(STAMPS)/test $(STAMPS)/dev: $(STAMPS)/package
 build-tests: $(STAMPS)/system
 	@echo "ltp: building the C++ tests"
 	@cmake -S . -B build/tests -G Ninja -DCMAKE_BUILD_TYPE=Release -DLTP_BUILD_TESTS=ON \
-	  -DLTP_WARNINGS_AS_ERRORS=$(WERROR) --log-level=WARNING
+	  -DLTP_WARNINGS_AS_ERRORS=$(WERROR) --log-level=WARNING > /dev/null
 	@cmake --build build/tests
