@@ -16,6 +16,7 @@ from typing import Any, Self
 from ltp._core import (
     BezierOptions,
     LidarOptions,
+    LinearisedOptions,
     NavigationOptions,
     ObstacleMapOptions,
     Planner,
@@ -57,6 +58,7 @@ class MissionConfig:
     hold_limit: float = 30.0  # after holding so long without a path the flight has timed out [s]
     vehicle: VehicleOptions = field(default_factory=VehicleOptions)
     bezier: BezierOptions = field(default_factory=BezierOptions)
+    linearised: LinearisedOptions = field(default_factory=LinearisedOptions)
     lidar: LidarOptions = field(default_factory=LidarOptions)
     mapping: ObstacleMapOptions = field(default_factory=ObstacleMapOptions)
     navigation: NavigationOptions = field(default_factory=NavigationOptions)
@@ -82,6 +84,7 @@ class MissionConfig:
             scaled_heuristic=self.scaled_heuristic,
             max_expansions=self.max_expansions,
             bezier=self.bezier,
+            linearised=self.linearised,
         )
 
     def to_dict(self) -> dict[str, Any]:

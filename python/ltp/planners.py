@@ -16,7 +16,8 @@ def make_planner(name: str, **options: Any) -> Planner:
     Args:
         name: one of `PLANNERS`.
         options: fields of `ltp.PlannerOptions`: length_weight (W_L of Eq. 5, default 0.5),
-            priority_weight (W_P, default 1.0), max_expansions, scaled_heuristic, bezier.
+            priority_weight (W_P, default 1.0), max_expansions, scaled_heuristic, bezier,
+            linearised.
 
     Raises:
         ValueError: an unknown name (those known are listed), or a value out of range.

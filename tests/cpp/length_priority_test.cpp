@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -114,6 +116,99 @@ TEST(LengthPriority, IsTheShortestPathWherePriorityIsTheSameEverywhere) {
       ASSERT_NEAR(without.tally.length, with.tally.length, 1e-9);
     }
   }
+}
+
+/// The paper's search with nothing but loops: penalty of the path that it finds, if any.
+std::optional<double> slow_search(const Situation& situation, double heuristic_weight,
+                                  const PenaltyWeights& weights, bool scaled) {
+  struct Label {
+    double length = 0.0;
+    double priority = 0.0;
+    std::int64_t to_goal = -1;
+    bool open = false;
+    bool closed = false;
+  };
+  const GridFrame& frame = situation.grid.frame();
+  const Query& query = situation.query;
+  const LevelRange all{0, frame.nz() - 1};
+  const double direct = (query.goal - query.start).norm();
+  const auto priority_at = [&](std::int64_t i) {
+    const Point centre = frame.centre(frame.cell_at(i));
+    return situation.priority.at(centre.x(), centre.y());
+  };
+  const std::int64_t start = frame.index(frame.cell_of(query.start));
+  const std::int64_t goal = frame.index(frame.cell_of(query.goal));
+  std::vector<Label> labels(frame.size());
+  labels[goal].open = true;
+  const auto g = [&](const Label& label) {  // Eq. (8)
+    const double mean = label.length > 0.0 ? label.priority / label.length : priority_at(goal);
+    return weights.length * label.length / direct - weights.priority * mean;
+  };
+  const auto f = [&](std::int64_t i) {                                                // Eq. (10)
+    const double h = (frame.centre(frame.cell_at(i)) - query.start).norm() / direct;  // Eq. (9)
+    return g(labels[i]) + heuristic_weight * (scaled ? weights.length : 1.0) * h;
+  };
+  while (!labels[start].closed) {
+    std::int64_t best = -1;
+    for (std::int64_t i = 0; i < frame.size(); ++i) {
+      if (labels[i].open && (best < 0 || f(i) < f(best))) best = i;
+    }
+    if (best < 0) return std::nullopt;
+    labels[best].open = false;
+    labels[best].closed = true;
+    const Cell cell = frame.cell_at(best);
+    const std::uint32_t blocked = blocked_surroundings(situation.grid, cell, all);
+    for (const Step& step : steps()) {
+      if (blocked & step.box) continue;
+      const std::int64_t next = frame.index(cell + Cell(step.dx, step.dy, step.dz));
+      if (labels[next].closed) continue;
+      const double length = Point(step.dx, step.dy, step.dz).cwiseProduct(frame.cell()).norm();
+      Label label = labels[best];
+      label.length += length;
+      label.priority += length * (priority_at(best) + priority_at(next)) / 2;
+      label.to_goal = best;
+      label.open = true;
+      label.closed = false;
+      if (!labels[next].open || g(label) < g(labels[next]) - 1e-12) labels[next] = label;
+    }
+  }
+  // Not the label's penalty but the path's: the raster need not fit the columns.
+  std::vector<Point> points;
+  for (std::int64_t i = start; i >= 0; i = labels[i].to_goal) {
+    points.push_back(frame.centre(frame.cell_at(i)));
+  }
+  double length = 0.0;
+  double priority = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += (points[i] - points[i - 1]).norm();
+    priority += situation.priority.integral(points[i - 1], points[i]);
+  }
+  return weights.length * length / direct - weights.priority * priority / length;
+}
+
+TEST(LengthPriority, IsThePapersSearch) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  int found = 0;
+  for (int k = 0; k < 120; ++k) {
+    Situation situation = random_situation(random);
+    if (situation.query.start == situation.query.goal) continue;
+    // A raster of its own: finer or coarser than the columns, and shifted against them.
+    Raster::Values values(15, 13);
+    for (Eigen::Index i = 0; i < values.size(); ++i) values.data()[i] = unit(random);
+    situation.priority = Raster(values, {-1.3 + unit(random), -2.9}, 0.4 + 2.0 * unit(random), 0.3);
+    const double heuristic_weight = std::sqrt(std::array<double, 3>{0.0, 1.0, 3.0}[k % 3]);
+    const PenaltyWeights weights{0.5, std::array<double, 4>{0.2, 1.0, 3.0, 10.0}[k % 4]};
+    const bool scaled = k % 5 == 0;
+    const Plan answer = plan(situation, heuristic_weight, weights, scaled);
+    const std::optional<double> expected =
+        slow_search(situation, heuristic_weight, weights, scaled);
+    ASSERT_EQ(answer.status == PlanStatus::Found, expected.has_value());
+    if (!expected) continue;
+    ASSERT_NEAR(answer.penalty, *expected, 1e-9) << k;
+    ++found;
+  }
+  EXPECT_GT(found, 60);
 }
 
 TEST(LengthPriority, NeverComesBackToACell) {

@@ -107,6 +107,16 @@ void bind_options(py::module_& m) {
       .def_readwrite("segments", &ltp::BezierOptions::segments, "straight pieces of the curve");
   list_fields(bezier, {"offsets", "reach", "z_offsets", "z_reach", "segments"});
 
+  auto linearised = py::class_<ltp::LinearisedOptions>(
+      m, "LinearisedOptions", "The additive searches of `additive` and `sweep`.");
+  linearised.def(py::init(&from_keywords<ltp::LinearisedOptions>))
+      .def_readwrite("alpha", &ltp::LinearisedOptions::alpha,
+                     "of the first search; 0: from the weights")
+      .def_readwrite("tolerance", &ltp::LinearisedOptions::tolerance,
+                     "of Eq. (5): `sweep` stops when path and bound are this close")
+      .def_readwrite("searches", &ltp::LinearisedOptions::searches, "that `sweep` makes at most");
+  list_fields(linearised, {"alpha", "tolerance", "searches"});
+
   auto options =
       py::class_<ltp::PlannerOptions>(m, "PlannerOptions", "What every planner can be told.");
   options.def(py::init(&from_keywords<ltp::PlannerOptions>))
@@ -122,9 +132,10 @@ void bind_options(py::module_& m) {
                      "give up (OUT_OF_BUDGET) after so many; 0: no limit")
       .def_readwrite("scaled_heuristic", &ltp::PlannerOptions::scaled_heuristic,
                      "multiply Eq. (9) by W_L, which it lacks as printed")
-      .def_readwrite("bezier", &ltp::PlannerOptions::bezier);
-  list_fields(options,
-              {"length_weight", "priority_weight", "max_expansions", "scaled_heuristic", "bezier"});
+      .def_readwrite("bezier", &ltp::PlannerOptions::bezier)
+      .def_readwrite("linearised", &ltp::PlannerOptions::linearised);
+  list_fields(options, {"length_weight", "priority_weight", "max_expansions", "scaled_heuristic",
+                        "bezier", "linearised"});
 }
 
 /// The cells that a flood over faces reaches from a point, bool (nx, ny, nz).

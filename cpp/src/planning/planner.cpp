@@ -10,6 +10,7 @@
 #include "ltp/geometry/check.hpp"
 #include "ltp/planning/bezier.hpp"
 #include "ltp/planning/length_priority.hpp"
+#include "ltp/planning/linearised.hpp"
 #include "ltp/planning/wavefront.hpp"
 
 namespace ltp {
@@ -28,6 +29,15 @@ std::unique_ptr<Planner> length_priority(std::string_view name, const PlannerOpt
       std::string(name), std::sqrt(double{kHeuristicWeightSquared}), options);
 }
 
+std::unique_ptr<Planner> additive(std::string_view name, const PlannerOptions& options) {
+  return std::make_unique<LinearisedPlanner>(std::string(name), 1, options);
+}
+
+std::unique_ptr<Planner> sweep(std::string_view name, const PlannerOptions& options) {
+  return std::make_unique<LinearisedPlanner>(std::string(name), options.linearised.searches,
+                                             options);
+}
+
 template <typename Kind>
 std::unique_ptr<Planner> plain(std::string_view, const PlannerOptions& options) {
   return std::make_unique<Kind>(options);
@@ -37,7 +47,10 @@ constexpr Entry kPlanners[] = {
     {"lp-dijkstra", length_priority<0>},  // W_A* = 0
     {"lp-a-star", length_priority<1>},    // W_A* = 1
     {"wlp-a-star", length_priority<3>},   // W_A* = sqrt(3)
-    {"ggwp", plain<WavefrontPlanner>},   {"bezier", plain<BezierPlanner>},
+    {"ggwp", plain<WavefrontPlanner>},
+    {"bezier", plain<BezierPlanner>},
+    {"additive", additive},  // beyond the paper
+    {"sweep", sweep},
 };
 
 void odd(const std::string& name, int value) {
@@ -75,6 +88,11 @@ void PlannerOptions::check() const {
   check::not_negative("bezier.z_reach", bezier.z_reach);
   if (bezier.segments < 2 || bezier.segments > 100000) {
     check::fail("bezier.segments", bezier.segments, "a number from 2 to 100000");
+  }
+  check::not_negative("linearised.alpha", linearised.alpha);
+  check::not_negative("linearised.tolerance", linearised.tolerance);
+  if (linearised.searches < 1) {
+    check::fail("linearised.searches", linearised.searches, "a number >= 1");
   }
 }
 

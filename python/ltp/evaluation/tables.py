@@ -20,6 +20,8 @@ _NAMES = {
     "wlp-a-star": "WLP-A* (√3)",
     "ggwp": "GGWP",
     "bezier": "Bézier",
+    "additive": "Additive A*",
+    "sweep": "Sweep",
 }
 
 

@@ -92,6 +92,13 @@ struct BezierOptions {
   int segments = 64;     ///< straight pieces that the curve is flown in, 2 to 100000
 };
 
+/// The linearised searches, see `LinearisedPlanner`.
+struct LinearisedOptions {
+  double alpha = 0.0;       ///< of the first search; 0: from the weights
+  double tolerance = 0.01;  ///< of Eq. (5): `sweep` stops when path and bound are this close, >= 0
+  int searches = 12;        ///< that `sweep` makes at most, >= 1
+};
+
 /// What every planner can be told. A planner ignores what does not concern it.
 struct PlannerOptions {
   PenaltyWeights weights;
@@ -100,6 +107,7 @@ struct PlannerOptions {
   /// scales it.
   bool scaled_heuristic = false;
   BezierOptions bezier;
+  LinearisedOptions linearised;
 
   void check() const;  ///< throws `std::invalid_argument` that names the field
 };

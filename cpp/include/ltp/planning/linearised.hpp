@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The penalty linearised: `additive`, one exact search, and `sweep`, searches until path and
+// certified bound meet.
+#pragma once
+
+#include <string>
+
+#include "ltp/planning/additive_search.hpp"
+#include "ltp/planning/planner.hpp"
+
+namespace ltp {
+
+/// Eq. (5) is a mean; linearised at a path of length L and mean priority m it is the sum of (alpha
+/// - p) dl with alpha = m + (W_L / W_P) L / L_direct. While alpha is above the largest priority
+/// every step costs something and A* is exact for it. A search with alpha whose least cost is C
+/// proves P <= alpha L - C for every path through cell centres: a lower bound on Eq. (5),
+/// `Plan::bound`. Where the bound lies, the slope of Eq. (5) is the next alpha (Aneja and Nair's
+/// dichotomic search, steered by the penalty).
+///
+/// Ends when the best path is within the tolerance of the bound, or when another search could bring
+/// nothing new: then the path is the best supported one, and the true optimum lies between the
+/// bound and it. For W_P = 0 one search is exact. Where alpha would have to be below the largest
+/// priority (long detours over the best ground pay), it is held just above: the bound stays valid
+/// and gets wider. The bound is given where the priority raster's cells are the grid's columns.
+class LinearisedPlanner final : public Planner {
+ public:
+  /// @param max_searches  1: `additive`; more: `sweep`
+  LinearisedPlanner(std::string name, int max_searches, const PlannerOptions& options);
+
+  std::string_view name() const override { return name_; }
+  bool complete() const override { return true; }
+  Plan plan(const Scene& scene, const Query& query) override;
+
+ private:
+  void search(const Scene& scene, const Query& query, const GridQuery& cells, Plan& best);
+
+  std::string name_;
+  int max_searches_;
+  PlannerOptions options_;
+  AdditiveSearch search_;
+};
+
+}  // namespace ltp

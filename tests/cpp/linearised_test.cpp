@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The linearised searches against all simple paths of small grids: the cost is the least one, the
+// bound a bound.
+#include "ltp/planning/linearised.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace ltp {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Instance {
+  OccupancyGrid grid;
+  Raster priority;
+  Query query;
+};
+
+/// A random grid of few cells with start and goal anywhere in two of them.
+Instance random_instance(std::mt19937_64& random, const std::array<int, 3>& dims) {
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  Instance instance{OccupancyGrid(GridFrame({0, 0, 0}, {2, 2, 4}, dims)),
+                    Raster(Raster::Values::Zero(dims[0], dims[1]), {0, 0}, 2.0), Query{}};
+  Raster::Values values(dims[0], dims[1]);
+  const bool binary = unit(random) < 0.5;
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const double value = unit(random);
+    values.data()[i] = binary ? std::round(value) : value;
+  }
+  instance.priority = Raster(values, {0, 0}, 2.0);
+  const auto point = [&] {
+    return Point(unit(random) * 2 * dims[0], unit(random) * 2 * dims[1],
+                 unit(random) * 4 * dims[2]);
+  };
+  instance.query.start = point();
+  instance.query.goal = point();
+  for (std::int64_t i = 0; i < instance.grid.frame().size(); ++i) {
+    if (unit(random) < 0.2) instance.grid.set(instance.grid.frame().cell_at(i));
+  }
+  instance.grid.set(instance.grid.frame().cell_of(instance.query.start), false);
+  instance.grid.set(instance.grid.frame().cell_of(instance.query.goal), false);
+  return instance;
+}
+
+/// Calls `visit(path)` for every simple path from start to goal.
+template <typename Visitor>
+void all_simple_paths(const Instance& instance, Visitor&& visit) {
+  const GridFrame& frame = instance.grid.frame();
+  const Cell goal = frame.cell_of(instance.query.goal);
+  std::vector<Cell> chain{frame.cell_of(instance.query.start)};
+  std::vector<char> used(static_cast<std::size_t>(frame.size()), 0);
+  const auto extend = [&](const auto& self) -> void {
+    const Cell cell = chain.back();
+    if (cell == goal) return visit(path_through(frame, instance.query, chain));
+    used[frame.index(cell)] = 1;
+    const std::uint32_t blocked = blocked_surroundings(instance.grid, cell, {0, frame.nz() - 1});
+    for (const Step& step : steps()) {
+      const Cell next = cell + Cell(step.dx, step.dy, step.dz);
+      if ((blocked & step.box) != 0 || used[frame.index(next)] != 0) continue;
+      chain.push_back(next);
+      self(self);
+      chain.pop_back();
+    }
+    used[frame.index(cell)] = 0;
+  };
+  extend(extend);
+}
+
+struct Exact {
+  double penalty = kInfinity;  ///< Eq. (5)
+  double cost = kInfinity;     ///< alpha L - P
+};
+
+Exact exact(const Instance& instance, const PenaltyWeights& weights, double alpha) {
+  const Penalty penalty(weights, (instance.query.goal - instance.query.start).norm());
+  Exact best;
+  all_simple_paths(instance, [&](const Path& path) {
+    const PathTally sums = tally(path, instance.priority);
+    best.penalty = std::min(best.penalty, penalty(sums));
+    best.cost = std::min(best.cost, alpha * sums.length - sums.priority);
+  });
+  return best;
+}
+
+constexpr std::array<int, 3> kPlanar{4, 4, 1};
+constexpr std::array<int, 3> kSpace{3, 2, 2};
+
+TEST(Linearised, TheAdditiveSearchFindsTheLeastCost) {
+  std::mt19937_64 random(1);
+  AdditiveSearch search;
+  int found = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Instance instance = random_instance(random, i % 2 ? kPlanar : kSpace);
+    const double alpha = 1.001 + 0.01 * i;
+    const Scene scene{instance.grid, instance.priority};
+    const ResolvedQuery resolved = resolve(scene, instance.query);
+    SearchStats stats;
+    const std::function<bool()> never;
+    const AdditiveResult result =
+        search.run(scene, instance.query, resolved.cells, {alpha, 1.0}, Budget(0, never), stats);
+    const Exact best = exact(instance, {0.5, 1.0}, alpha);
+    ASSERT_EQ(result.status == PlanStatus::Found, best.cost < kInfinity);
+    EXPECT_LE(stats.expanded, instance.grid.frame().size());
+    if (result.status != PlanStatus::Found || result.chain.size() == 1) continue;
+    ++found;
+    EXPECT_NEAR(result.cost, best.cost, 1e-9);
+    const Path path = path_through(instance.grid.frame(), instance.query, result.chain);
+    const PathTally sums = tally(path, instance.priority);
+    EXPECT_NEAR(alpha * sums.length - sums.priority, best.cost, 1e-9);
+  }
+  EXPECT_GT(found, 150);
+}
+
+TEST(Linearised, TheBoundIsNeverAboveTheExactOptimum) {
+  std::mt19937_64 random(2);
+  const PenaltyWeights weights[] = {{1, 0}, {1, 1}, {0.5, 1}, {0.2, 1}, {0.05, 1}, {0, 1}};
+  int found = 0;
+  int tight = 0;
+  double additive_gap = 0.0;
+  double sweep_gap = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    const Instance instance = random_instance(random, i % 3 ? kPlanar : kSpace);
+    PlannerOptions options;
+    options.weights = weights[i % 6];
+    options.linearised.tolerance = 0.0;
+    const double optimum = exact(instance, options.weights, 1.5).penalty;
+    const Scene scene{instance.grid, instance.priority};
+    const Plan additive = LinearisedPlanner("additive", 1, options).plan(scene, instance.query);
+    const Plan sweep = LinearisedPlanner("sweep", 12, options).plan(scene, instance.query);
+    ASSERT_EQ(additive.status == PlanStatus::Found, optimum < kInfinity);
+    ASSERT_EQ(sweep.status, additive.status);
+    if (sweep.status != PlanStatus::Found) continue;
+    ++found;
+    for (const Plan* plan : {&additive, &sweep}) {
+      ASSERT_TRUE(plan->bound.has_value());
+      EXPECT_LE(*plan->bound, optimum + 1e-12) << "instance " << i;
+      EXPECT_GE(plan->penalty, optimum - 1e-9) << "instance " << i;
+    }
+    EXPECT_LE(sweep.penalty, additive.penalty);
+    EXPECT_GE(*sweep.bound, *additive.bound - 1e-9);
+    if (options.weights.length >= 0.5) {
+      additive_gap += additive.penalty - optimum;
+      sweep_gap += sweep.penalty - optimum;
+      tight += sweep.penalty - *sweep.bound < 0.01;
+    }
+  }
+  EXPECT_GT(found, 600);
+  EXPECT_LT(sweep_gap, additive_gap);
+  RecordProperty("tight", tight);
+  std::printf("found %d, at W_L >= 0.5: gap additive %.4f sweep %.4f in sum, tight %d\n", found,
+              additive_gap, sweep_gap, tight);
+}
+
+}  // namespace
+}  // namespace ltp
