@@ -100,15 +100,18 @@ TEST(Flood, FollowsACorridorAllTheWay) {
   EXPECT_GT(flood.count(), 35 * 500);
 }
 
-TEST(Flood, FillsAGridOfMoreThanAMillionColumns) {
-  const GridFrame frame(Point(0, 0, 0), Point(1, 1, 1), {1200, 1100, 2});
+TEST(Flood, FollowsACorridorOfMoreThanAMillionColumns) {
+  // One column is news at a time: none may be lost on the way.
+  const GridFrame frame(Point(0, 0, 0), Point(1, 1, 1), {1500, 1501, 1});
   OccupancyGrid grid(frame);
-  for (int ix = 0; ix < 1200; ++ix) grid.set(Cell(ix, 700, 0));
+  for (int iy = 1; iy < 1501; iy += 2) {
+    for (int ix = 0; ix < 1500; ++ix) grid.set(Cell(ix, iy, 0));
+    grid.set(Cell(iy % 4 == 1 ? 1499 : 0, iy, 0), false);
+  }
   Flood flood;
-  flood.fill(grid, Cell(1199, 0, 0), {0, 1});
-  EXPECT_EQ(flood.count(), 2 * 1200 * 1100 - 1200);
-  flood.fill(grid, Cell(1199, 0, 0), {0, 0});
-  EXPECT_EQ(flood.count(), 1200 * 700);
+  flood.fill(grid, Cell(0, 0, 0), {0, 0});
+  EXPECT_EQ(flood.count(), 751 * 1500 + 750);
+  EXPECT_TRUE(flood.reached(Cell(0, 1500, 0)));
 }
 
 TEST(Flood, ProvesNothingAtTheEdgeOfTheWindow) {

@@ -55,7 +55,7 @@ def passes_through(blocked: np.ndarray, path: np.ndarray, shrunk: float) -> bool
     return False
 
 
-def test_there_are_five_planners() -> None:
+def test_the_planners_are_those_of_the_paper_and_the_new_ones() -> None:
     assert ltp.PLANNERS[:5] == ("lp-dijkstra", "lp-a-star", "wlp-a-star", "ggwp", "bezier")
     assert ltp.PLANNERS[5:] == ("additive", "sweep")
     assert [make(name).name for name in ltp.PLANNERS] == list(ltp.PLANNERS)
