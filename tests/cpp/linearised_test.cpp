@@ -88,7 +88,7 @@ Exact exact(const Instance& instance, const PenaltyWeights& weights, double alph
 }
 
 constexpr std::array<int, 3> kPlanar{4, 4, 1};
-constexpr std::array<int, 3> kSpace{3, 2, 2};
+constexpr std::array<int, 3> kSpace{2, 2, 2};
 
 TEST(Linearised, TheAdditiveSearchFindsTheLeastCost) {
   std::mt19937_64 random(1);
@@ -120,7 +120,7 @@ TEST(Linearised, TheBoundIsNeverAboveTheExactOptimum) {
   std::mt19937_64 random(2);
   const PenaltyWeights weights[] = {{1, 0}, {1, 1}, {0.5, 1}, {0.2, 1}, {0.05, 1}, {0, 1}};
   int found = 0;
-  int tight = 0;
+
   double additive_gap = 0.0;
   double sweep_gap = 0.0;
   for (int i = 0; i < 1000; ++i) {
@@ -146,14 +146,10 @@ TEST(Linearised, TheBoundIsNeverAboveTheExactOptimum) {
     if (options.weights.length >= 0.5) {
       additive_gap += additive.penalty - optimum;
       sweep_gap += sweep.penalty - optimum;
-      tight += sweep.penalty - *sweep.bound < 0.01;
     }
   }
   EXPECT_GT(found, 600);
   EXPECT_LT(sweep_gap, additive_gap);
-  RecordProperty("tight", tight);
-  std::printf("found %d, at W_L >= 0.5: gap additive %.4f sweep %.4f in sum, tight %d\n", found,
-              additive_gap, sweep_gap, tight);
 }
 
 }  // namespace
