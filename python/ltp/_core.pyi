@@ -10,7 +10,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['BezierOptions', 'GridFrame', 'HeightSurface', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'PathTally', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'WayPointEvent', 'closest_point', 'flood_fill', 'inflate', 'path_length', 'penalty', 'planner_names', 'point_at', 'resample', 'tally']
+__all__: list[str] = ['BezierOptions', 'GridFrame', 'HeightSurface', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'PathTally', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'WayPointEvent', 'closest_point', 'flood_fill', 'inflate', 'path_length', 'penalty', 'planner_names', 'point_at', 'resample', 'tally']
 class Pose:
     """
     Where a body is and how it is turned (world ENU, body x forward, y left, z up).
@@ -850,12 +850,46 @@ class BezierOptions:
     @z_reach.setter
     def z_reach(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
+class LinearisedOptions:
+    """
+    The additive searches of `additive` and `sweep`.
+    """
+    __fields__: typing.ClassVar[tuple] = ('alpha', 'tolerance', 'searches')
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def alpha(self) -> float:
+        """
+        of the first search; 0: from the weights
+        """
+    @alpha.setter
+    def alpha(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def searches(self) -> int:
+        """
+        that `sweep` makes at most
+        """
+    @searches.setter
+    def searches(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def tolerance(self) -> float:
+        """
+        of Eq. (5): `sweep` stops when path and bound are this close
+        """
+    @tolerance.setter
+    def tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
 class PlannerOptions:
     """
     What every planner can be told.
     """
-    __fields__: typing.ClassVar[tuple] = ('length_weight', 'priority_weight', 'max_expansions', 'scaled_heuristic', 'bezier')
+    __fields__: typing.ClassVar[tuple] = ('length_weight', 'priority_weight', 'max_expansions', 'scaled_heuristic', 'bezier', 'linearised')
     bezier: BezierOptions
+    linearised: LinearisedOptions
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
