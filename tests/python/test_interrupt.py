@@ -48,8 +48,8 @@ def test_ctrl_c_ends_a_search_over_a_million_cells(
             time.sleep(0.5)
             pressed = time.time()
             process.send_signal(signal.SIGINT)
-            answer = process.stdout.readline().split()
-            assert process.wait(timeout=60) == 0
+            answer = process.communicate(timeout=60)[0].split()
+            assert process.returncode == 0
         finally:
             process.kill()
     assert answer[0] == "interrupted"
