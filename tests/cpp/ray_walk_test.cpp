@@ -275,6 +275,35 @@ TEST(RayWalk, HoldsTogetherNextToFacesEdgesAndCorners) {
   }
 }
 
+TEST(RayWalk, SeesACornerThroughRounding) {
+  // Segments through a corner whose numbers meet it only to within rounding: all cells round the
+  // corner that the walk turns past are seen.
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> unit(0.1, 1.0);
+  for (int i = 0; i < 2000; ++i) {
+    const int before = 1 + static_cast<int>(random() % 5);
+    Real<3> way, corner;
+    Whole<3> side{};
+    for (int axis = 0; axis < 3; ++axis) {
+      way[axis] = (random() % 2 == 0 ? 1.0 : -1.0) * unit(random);
+      corner[axis] = static_cast<double>(static_cast<int>(random() % 9) - 4);
+      side[axis] = way[axis] > 0.0 ? -1 : 0;  // from here it comes
+    }
+    const Real<3> a = corner - unit(random) * before * way;
+    const Real<3> b = corner + unit(random) * way;
+    std::set<Whole<3>> seen;
+    for (const Visit<3>& visit : walk<3>(a, b)) seen.insert(visit.cell);
+    for (int subset = 0; subset < 8; ++subset) {
+      Whole<3> cell{};
+      for (int axis = 0; axis < 3; ++axis) {
+        cell[axis] = static_cast<int>(corner[axis]) + side[axis];
+        if (subset >> axis & 1) cell[axis] += way[axis] > 0.0 ? 1 : -1;
+      }
+      ASSERT_EQ(seen.count(cell), 1u) << a.transpose() << " -> " << b.transpose();
+    }
+  }
+}
+
 TEST(RayWalk, SharesASegmentBetweenTwoRowsThatItHardlyLeaves) {
   // It slides through a face over many cells: each row gets its own half.
   for (const double depth : {1e-12, 1e-10, 4e-10, 1e-8}) {
