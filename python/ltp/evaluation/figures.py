@@ -6,6 +6,7 @@ Each function returns a matplotlib figure and writes nothing; see `backdrop.save
 figure carries the attribution line of its world.
 """
 
+import itertools
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -44,7 +45,7 @@ if TYPE_CHECKING:
     from ltp._core import Raster
 
 #: Of flown paths, in order; told apart by the colour-blind too (Okabe and Ito, brightened).
-PATH_COLOURS = ("#e0409a", "#1f8be0", "#18b07b", "#f0a30a", "#e8602c", "#b9a0f0")
+PATH_COLOURS = ("#e0409a", "#1f8be0", "#18b07b", "#f0a30a", "#e8602c", "#b9a0f0", "#3b2a6b")
 
 _MARGIN = 100.0  # shown round the flown paths [m]
 _MAP_NAMES = {"binary": "binary priority map", "lpf": "low-pass priority map"}
@@ -76,7 +77,7 @@ def flown_paths_figure(
     map_title(right, f"Over the {_MAP_NAMES[config.priority_map]}")
     for axes in (left, right):
         draw_global_path(axes, records[0].global_path)
-        for record, colour in zip(records, PATH_COLOURS, strict=False):
+        for record, colour in zip(records, itertools.cycle(PATH_COLOURS)):
             draw_path(axes, record.positions, colour, _weight_label(record))
         draw_drops(axes, records)
         dress(axes, view)

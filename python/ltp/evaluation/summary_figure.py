@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One picture that says it all: a city from above, a global path, what each planner made of it."""
 
+import itertools
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -65,7 +66,7 @@ def summary_figure(
     _draw_city(axes, world)
     _draw_sensed(axes, sensed)
     draw_global_path(axes, records[0].global_path)
-    for record, colour in zip(records, PATH_COLOURS, strict=False):
+    for record, colour in zip(records, itertools.cycle(PATH_COLOURS)):
         name = planner_title(record.config.planner)
         label = f"{name}:  P = {record.mean_priority:.2f},  L/L_GP = {record.length_ratio:.2f}"
         if record.outcome is not Outcome.REACHED:
