@@ -3,6 +3,7 @@
 #include "ltp/grid/raster.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -10,9 +11,17 @@
 #include "ltp/grid/ray_walk.hpp"
 
 namespace ltp {
+namespace {
+
+std::uint64_t next_id() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+}  // namespace
 
 Raster::Raster(Values values, const Eigen::Vector2d& origin, double cell, double outside)
-    : values_(std::move(values)), origin_(origin), cell_(cell), outside_(outside) {
+    : values_(std::move(values)), origin_(origin), cell_(cell), outside_(outside), id_(next_id()) {
   check::finite("origin.x", origin.x());
   check::finite("origin.y", origin.y());
   check::positive("cell", cell);

@@ -2,64 +2,159 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ltp/planning/column_field.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace ltp {
+namespace {
 
-void ColumnField::begin(const GridFrame& frame, const ColumnPriority& priority,
-                        double length_factor, double priority_factor, int ix, int iy) {
-  priority_ = &priority;
-  length_factor_ = length_factor;
-  priority_factor_ = priority_factor;
-  nx_ = frame.nx();
-  ny_ = frame.ny();
-  step_ = {frame.cell().x(), frame.cell().y()};
-  diagonal_ = std::hypot(step_[0], step_[1]);
-  // The dearest step must fit into the ring of buckets; columns of one bucket may improve each
-  // other.
-  width_ = length_factor * diagonal_ / (kBuckets - 2);
-  now_ = 0;
-  if (columns_.size() < static_cast<std::size_t>(nx_) * ny_) {
-    columns_.resize(static_cast<std::size_t>(nx_) * ny_);
+/// The least cost of a step into the goal from each of the 3 x 3 columns round it, its own in the
+/// middle, over the levels that the query leaves open.
+std::array<double, 9> last_steps(const GridFrame& frame, const Raster& raster,
+                                 const AdditiveCost& cost, const Query& query,
+                                 const GridQuery& cells) {
+  std::array<double, 9> least;
+  least.fill(std::numeric_limits<double>::infinity());
+  for (int dx = -1; dx <= 1; ++dx) {
+    for (int dy = -1; dy <= 1; ++dy) {
+      double& mine = least[(dx + 1) * 3 + dy + 1];
+      for (int dz = -1; dz <= 1; ++dz) {
+        const Cell from = cells.goal + Cell(dx, dy, dz);
+        if (from == cells.goal || from.z() < cells.levels.lowest ||
+            from.z() > cells.levels.highest) {
+          continue;
+        }
+        const Point centre = frame.centre(from);
+        mine =
+            std::min(mine, cost((query.goal - centre).norm(), raster.integral(centre, query.goal)));
+      }
+    }
   }
+  return least;
+}
+
+}  // namespace
+
+bool ColumnField::Aim::operator==(const Aim& other) const {
+  return raster == other.raster && cost == other.cost && cell == other.cell &&
+         anchor == other.anchor && goal == other.goal && size == other.size && last == other.last;
+}
+
+void ColumnField::aim(const Scene& scene, const AdditiveCost& cost, const Query& query,
+                      const GridQuery& cells) {
+  const GridFrame& frame = scene.occupancy.frame();
+  Aim next;
+  next.raster = scene.priority.id();
+  next.cost = cost;
+  next.cell = frame.cell();
+  next.anchor = frame.lattice(Point::Zero());
+  next.goal = {cells.goal.x() + frame.first().x(), cells.goal.y() + frame.first().y()};
+  next.size = {2 * frame.nx() + 1, 2 * frame.ny() + 1};
+  next.last = last_steps(frame, scene.priority, cost, query, cells);
+  raster_ = &scene.priority;
+  // The goal lies in the middle of the field.
+  shift_ = {frame.nx() - cells.goal.x(), frame.ny() - cells.goal.y()};
+  const bool stands = stamp_ > 0 && walls_ == nullptr && next == aim_;
+  const bool few = cells.levels.highest - cells.levels.lowest < kFewLevels;
+  if (stands && !few) return;
+  aim_ = next;
+  walls_ = few ? &scene.occupancy : nullptr;
+  if (few) {
+    open_levels_.assign(scene.occupancy.words_per_column(), 0);
+    for (int level = cells.levels.lowest; level <= cells.levels.highest; ++level) {
+      open_levels_[level >> 6] |= std::uint64_t{1} << (level & 63);
+    }
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::vector<int>& numbers = i == 0 ? rows_ : lines_;
+    numbers.resize(next.size[i]);
+    for (int j = 0; j < next.size[i]; ++j) {
+      Cell cell = Cell::Zero();
+      cell[i] = j - shift_[i];
+      numbers[j] = raster_->index_of(static_cast<int>(i), frame.centre(cell)[i]);
+    }
+  }
+  step_ = {frame.cell().x(), frame.cell().y(), frame.cell().head<2>().norm()};
+  // The dearest step must fit into the ring of buckets; columns of one bucket may improve each
+  // other. The last step leads off a lattice's centre, so it may be half as long again.
+  per_width_ = (kBuckets - 2) / (2.0 * cost.length * frame.cell().norm());
+  begin(cells);
+}
+
+void ColumnField::begin(const GridQuery& cells) {
+  now_ = 0;
+  const std::size_t size = static_cast<std::size_t>(aim_.size[0]) * aim_.size[1];
+  if (columns_.size() < size) columns_.resize(size);
   if (stamp_ == std::numeric_limits<std::uint32_t>::max()) {
     for (Column& column : columns_) column.stamp = 0;
     stamp_ = 0;
   }
   ++stamp_;
-  for (std::vector<std::uint32_t>& bucket : buckets_) bucket.clear();
-  offer(static_cast<std::uint32_t>(ix * ny_ + iy), 0.0);
+  for (std::vector<std::uint32_t>& entries : buckets_) entries.clear();
+  waiting_ = 0;
+  for (int k = 0; k < 9; ++k) {
+    const std::uint32_t column =
+        index(cells.goal.x() + shift_[0] + k / 3 - 1, cells.goal.y() + shift_[1] + k % 3 - 1);
+    if (aim_.last[k] < kFar) offer(column, touch(column), aim_.last[k]);
+  }
 }
 
-void ColumnField::offer(std::uint32_t column, double cost) {
+void ColumnField::open(std::uint32_t column) {
+  const int jx = static_cast<int>(column) / aim_.size[1];
+  const int jy = static_cast<int>(column) % aim_.size[1];
   Column& mine = columns_[column];
-  if (mine.stamp == stamp_ && mine.cost <= cost) return;
-  mine = {cost, stamp_};
-  buckets_[static_cast<std::int64_t>(cost / width_) % kBuckets].push_back(column);
+  mine = Column{};
+  mine.stamp = stamp_;
+  mine.gain = 0.5 * aim_.cost.priority * (*raster_)(rows_[jx], lines_[jy]);
+  mine.wall = jx == 0 || jy == 0 || jx == aim_.size[0] - 1 || jy == aim_.size[1] - 1;
+  if (mine.wall || walls_ == nullptr) return;
+  const GridFrame& frame = walls_->frame();
+  const int ix = jx - shift_[0];
+  const int iy = jy - shift_[1];
+  mine.wall = true;
+  if (ix < 0 || iy < 0 || ix >= frame.nx() || iy >= frame.ny()) return;
+  const std::uint64_t* blocked = walls_->column(ix, iy);
+  for (std::size_t w = 0; w < open_levels_.size(); ++w) {
+    mine.wall &= (open_levels_[w] & ~blocked[w]) == 0;
+  }
+}
+
+void ColumnField::offer(std::uint32_t column, Column& mine, double cost) {
+  if (mine.wall || mine.cost <= cost) return;
+  mine.cost = cost;
+  buckets_[bucket(cost) % kBuckets].push_back(column);
+  ++waiting_;
 }
 
 void ColumnField::advance() {
-  std::vector<std::uint32_t>& bucket = buckets_[now_ % kBuckets];
-  while (!bucket.empty()) {
-    emptied_.swap(bucket);
-    bucket.clear();
-    for (const std::uint32_t index : emptied_) {
-      const double cost = columns_[index].cost;
+  const int row = aim_.size[1];
+  const double length = aim_.cost.length;
+  std::vector<std::uint32_t>& here = buckets_[now_ % kBuckets];
+  while (!here.empty()) {
+    emptied_.swap(here);
+    here.clear();
+    waiting_ -= emptied_.size();
+    for (const std::uint32_t column : emptied_) {
+      const double cost = columns_[column].cost;
       // Stale: it has moved to an earlier bucket and was spread from there.
-      if (static_cast<std::int64_t>(cost / width_) != now_) continue;
-      const int ix = static_cast<int>(index) / ny_;
-      const int iy = static_cast<int>(index) % ny_;
-      const double here = (*priority_)(ix, iy);
-      for (int dx = -1; dx <= 1; ++dx) {
-        for (int dy = -1; dy <= 1; ++dy) {
-          const int jx = ix + dx;
-          const int jy = iy + dy;
-          if ((dx == 0 && dy == 0) || jx < 0 || jy < 0 || jx >= nx_ || jy >= ny_) continue;
-          const double length = dx == 0 ? step_[1] : dy == 0 ? step_[0] : diagonal_;
-          const double mean = 0.5 * (here + (*priority_)(jx, jy));
-          offer(static_cast<std::uint32_t>(jx * ny_ + jy),
-                cost + length * (length_factor_ - priority_factor_ * mean));
+      if (bucket(cost) != now_) continue;
+      const double factor = length - columns_[column].gain;
+      bool wall[3][3] = {};
+      const auto step = [&](int dx, int dy, double metres) {
+        const std::uint32_t next = column + static_cast<std::uint32_t>(dx * row + dy);
+        Column& other = touch(next);
+        wall[dx + 1][dy + 1] = other.wall;
+        offer(next, other, cost + metres * (factor - other.gain));
+      };
+      step(-1, 0, step_[0]);
+      step(1, 0, step_[0]);
+      step(0, -1, step_[1]);
+      step(0, 1, step_[1]);
+      for (int dx = -1; dx <= 1; dx += 2) {
+        for (int dy = -1; dy <= 1; dy += 2) {
+          if (wall[dx + 1][1] || wall[1][dy + 1]) continue;  // no squeezing past walls
+          step(dx, dy, step_[2]);
         }
       }
     }

@@ -3,6 +3,7 @@
 // `Raster`: a scalar field over the ground - heights or priority - constant on each square cell.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "ltp/geometry/types.hpp"
@@ -29,6 +30,9 @@ class Raster {
   const Values& values() const { return values_; }
   double minimum() const { return minimum_; }  ///< over the raster and `outside`
   double maximum() const { return maximum_; }  ///< over the raster and `outside`
+
+  /// Unlike that of any other raster but copies: what was computed from it can be kept.
+  std::uint64_t id() const { return id_; }
 
   /// Whether cell (i, j) is inside, and its value (`outside` if it is not).
   bool contains(int i, int j) const {
@@ -58,6 +62,7 @@ class Raster {
   double outside_;
   double minimum_;
   double maximum_;
+  std::uint64_t id_;
 };
 
 }  // namespace ltp

@@ -5,24 +5,13 @@
 
 #include <vector>
 
+#include "ltp/planning/bucket_queue.hpp"
 #include "ltp/planning/column_field.hpp"
+#include "ltp/planning/flood.hpp"
 #include "ltp/planning/grid_query.hpp"
-#include "ltp/planning/open_list.hpp"
 #include "ltp/planning/search_space.hpp"
 
 namespace ltp {
-
-/// The cost of a path of length L and priority integral P: `length` L - `priority` P, both factors
-/// >= 0. While `length` > `priority` * (largest priority) every step costs something and the search
-/// is exact.
-struct AdditiveCost {
-  double length = 1.0;
-  double priority = 0.0;
-
-  double operator()(double metres, double integral) const {
-    return length * metres - priority * integral;
-  }
-};
 
 /// What a search found.
 struct AdditiveResult {
@@ -31,10 +20,11 @@ struct AdditiveResult {
   std::vector<Cell> chain;  ///< start ... goal
 };
 
-/// Backward A* from goal to start. The graph is the planners' own: cell centres, with start and
-/// goal themselves in place of the centres of their cells. Its heuristic is the exact cost over the
-/// columns from the start, obstacles ignored: priority depends on x and y alone, so no path in
-/// space is cheaper than the best one over the ground.
+/// A* from start to goal. The graph is the planners' own: cell centres, with start and goal
+/// themselves in place of the centres of their cells. It begins at the start, since that is where
+/// the obstacles are that a UAV has seen, and its heuristic knows none: the exact cost over the
+/// columns to the goal, and the least that a change of height adds. A goal that is walled in is
+/// proved so from the goal's side, by a flood, once the search has grown long.
 class AdditiveSearch {
  public:
   /// Adds what it did to `stats`. A search that has been told to stop answers `OutOfBudget`.
@@ -43,17 +33,15 @@ class AdditiveSearch {
 
  private:
   struct Node {
-    double cost = 0.0;  ///< from here to the goal
+    double cost = 0.0;  ///< from the start to here
     std::uint32_t stamp = 0;
-    std::int8_t to_goal = -1;
-    bool labelled = false;
-    bool closed = false;
+    std::int8_t from_start = -1;  ///< number of the step that led here; -1: not labelled
   };
 
   SearchSpace<Node> space_;
-  OpenList open_;
-  ColumnPriority priority_;
+  BucketQueue open_;
   ColumnField field_;
+  Flood flood_;
 };
 
 }  // namespace ltp

@@ -66,7 +66,7 @@ class Budget {
   }
 
  private:
-  static constexpr std::int64_t kAskEvery = (1 << 13) - 1;
+  static constexpr std::int64_t kAskEvery = (1 << 10) - 1;
   std::int64_t limit_;
   const std::function<bool()>& interrupted_;
 };
