@@ -17,6 +17,8 @@ import ltp
 from ltp import PlanStatus
 
 NAN, INF = math.nan, math.inf
+#: What these answer may depend on what they were asked before.
+REMEMBERING = ("additive", "sweep", "incremental", "auto")
 CELL = np.array((2.0, 2.0, 4.0))
 
 
@@ -126,7 +128,7 @@ def test_random_worlds(
         assert plan.tally.length == 0
     searches = ltp.LinearisedOptions().searches if name == "sweep" else 1
     assert plan.stats.expanded <= (blocked.size * searches if planner.complete else 7 * 7)
-    twice = planner.plan(scene, query)
+    twice = (make(name) if name in REMEMBERING else planner).plan(scene, query)
     assert twice.path.tobytes() == plan.path.tobytes()
     assert twice.penalty == plan.penalty
 
@@ -262,6 +264,8 @@ def test_threads_take_turns_with_a_planner(name: str) -> None:
         assert len(plans) == 20
         for plan in plans:
             assert plan.status == expected.status
+            if name in REMEMBERING:
+                continue
             assert plan.path.tobytes() == expected.path.tobytes()
             assert plan.stats.expanded == expected.stats.expanded
 

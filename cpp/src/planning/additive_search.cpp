@@ -54,7 +54,7 @@ std::vector<Cell> reversed(std::vector<Cell> chain) {
 
 AdditiveResult AdditiveSearch::run(const Scene& scene, const Query& query, const GridQuery& cells,
                                    const AdditiveCost& cost, const Budget& budget,
-                                   SearchStats& stats) {
+                                   SearchStats& stats, double longest) {
   AdditiveResult result;
   if (cells.start == cells.goal) {
     result.status = PlanStatus::Found;
@@ -66,7 +66,7 @@ AdditiveResult AdditiveSearch::run(const Scene& scene, const Query& query, const
   const GridFrame& frame = scene.occupancy.frame();
   const std::array<double, kSteps> lengths = step_lengths(frame.cell());
   space_.begin(frame, cells.levels);
-  field_.aim(scene, cost, query, cells);
+  field_.aim(scene, cost, query, cells, longest);
 
   // The last step into the goal may climb a level for next to nothing: the goal is no centre.
   const double climb =
@@ -97,18 +97,18 @@ AdditiveResult AdditiveSearch::run(const Scene& scene, const Query& query, const
   const double dearest = cost.length * frame.cell().norm();
   const double first = std::max(0.0, estimate - 3.0 * dearest);
   open_.begin(first, 6.0 * dearest / (BucketQueue::kBuckets - 4));
-  open_.push(first, {0.0, start});
+  open_.push({first, 0.0, start});
   ++stats.pushed;
   std::int64_t expanded = 0;
   while (!open_.empty()) {
-    open_.settle();
-    if (open_.lower_bound() >= goal_node.cost) break;
     const BucketQueue::Entry entry = open_.pop();
+    if (entry.value >= goal_node.cost) break;
     const std::uint32_t index = entry.cell;
     if (entry.cost != space_[index].cost) continue;  // stale
     ++stats.expanded;
     if (budget.spent(stats.expanded)) {
       result.status = PlanStatus::OutOfBudget;
+      result.cost = entry.value;
       return result;
     }
     if (++expanded == kExpandedBeforeFlood) {
@@ -140,7 +140,7 @@ AdditiveResult AdditiveSearch::run(const Scene& scene, const Query& query, const
         other.cost = total;
         other.from_start = number;
         if (next_index == goal) continue;
-        open_.push(value, {total, next_index});
+        open_.push({value, total, next_index});
         ++stats.pushed;
       }
     }

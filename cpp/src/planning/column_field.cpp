@@ -42,7 +42,7 @@ bool ColumnField::Aim::operator==(const Aim& other) const {
 }
 
 void ColumnField::aim(const Scene& scene, const AdditiveCost& cost, const Query& query,
-                      const GridQuery& cells) {
+                      const GridQuery& cells, double longest) {
   const GridFrame& frame = scene.occupancy.frame();
   Aim next;
   next.raster = scene.priority.id();
@@ -55,9 +55,11 @@ void ColumnField::aim(const Scene& scene, const AdditiveCost& cost, const Query&
   raster_ = &scene.priority;
   // The goal lies in the middle of the field.
   shift_ = {frame.nx() - cells.goal.x(), frame.ny() - cells.goal.y()};
-  const bool stands = stamp_ > 0 && walls_ == nullptr && next == aim_;
+  frame_ = &frame;
+  const bool stands = stamp_ > 0 && walls_ == nullptr && reach_.unbounded() && next == aim_;
   const bool few = cells.levels.highest - cells.levels.lowest < kFewLevels;
-  if (stands && !few) return;
+  reach_ = Ellipse(query, longest);
+  if (stands && !few && reach_.unbounded()) return;
   aim_ = next;
   walls_ = few ? &scene.occupancy : nullptr;
   if (few) {
@@ -108,12 +110,14 @@ void ColumnField::open(std::uint32_t column) {
   mine.stamp = stamp_;
   mine.gain = 0.5 * aim_.cost.priority * (*raster_)(rows_[jx], lines_[jy]);
   mine.wall = jx == 0 || jy == 0 || jx == aim_.size[0] - 1 || jy == aim_.size[1] - 1;
-  if (mine.wall || walls_ == nullptr) return;
-  const GridFrame& frame = walls_->frame();
   const int ix = jx - shift_[0];
   const int iy = jy - shift_[1];
+  if (!reach_.unbounded()) {
+    mine.wall |= !reach_.contains(frame_->centre(Cell(ix, iy, 0)).head<2>());
+  }
+  if (mine.wall || walls_ == nullptr) return;
   mine.wall = true;
-  if (ix < 0 || iy < 0 || ix >= frame.nx() || iy >= frame.ny()) return;
+  if (ix < 0 || iy < 0 || ix >= frame_->nx() || iy >= frame_->ny()) return;
   const std::uint64_t* blocked = walls_->column(ix, iy);
   for (std::size_t w = 0; w < open_levels_.size(); ++w) {
     mine.wall &= (open_levels_[w] & ~blocked[w]) == 0;

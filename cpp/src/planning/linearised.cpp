@@ -7,31 +7,35 @@
 #include <optional>
 #include <utility>
 
-#include "ltp/planning/penalty_bound.hpp"
+#include "ltp/planning/ellipse.hpp"
+#include "ltp/planning/linearisation.hpp"
 #include "ltp/planning/stopwatch.hpp"
 
 namespace ltp {
 namespace {
 
-// Where the first linearisation is made: a path this much longer than the direct one, over ground
-// this good. On the paper's maps at its operating point the exact optima lie near by, and a wrong
-// guess costs little.
-constexpr double kLikelyDetour = 1.1;
-constexpr double kLikelyPriority = 0.75;
 constexpr double kSameAlpha = 1e-4;
-
-/// Whether the raster's cells are the grid's columns; only then does the search see each path's
-/// true priority.
-bool aligned(const GridFrame& frame, const Raster& raster) {
-  if (frame.cell().x() != raster.cell() || frame.cell().y() != raster.cell()) return false;
-  const Eigen::Array2d offset =
-      (frame.origin().head<2>() - raster.origin()).array() / raster.cell();
-  return ((offset - offset.round()).abs() < 1e-9).all();
-}
+constexpr int kRoundsOfNarrowing = 3;
 
 bool is_known(double alpha, const std::vector<double>& tried) {
   return std::any_of(tried.begin(), tried.end(),
                      [&](double other) { return std::abs(other - alpha) < kSameAlpha; });
+}
+
+/// Leaves over only paths that may have a smaller penalty than the best: bounds their length, and
+/// with it the ground that they can visit and the best priority there, and so on. Returns the
+/// length [m].
+double narrow(const Scene& scene, const Query& query, double penalty, PenaltyBound& bound) {
+  const GridFrame& frame = scene.occupancy.frame();
+  // Between two centres a step may touch the columns beside it.
+  const double margin = 4.0 * frame.cell().head<2>().norm();
+  double longest = bound.longest_below(penalty);
+  for (int i = 0; i < kRoundsOfNarrowing; ++i) {
+    const Ellipse ground(query, longest + margin);
+    bound.set_most_priority(most_priority(frame, scene.priority, ground));
+    longest = bound.longest_below(penalty);
+  }
+  return longest;
 }
 
 }  // namespace
@@ -55,31 +59,21 @@ Plan LinearisedPlanner::plan(const Scene& scene, const Query& query) {
   return plan;
 }
 
+double LinearisedPlanner::begin_with(const PenaltyBound& bound, const GridQuery& cells,
+                                     const Query& query, double most_priority) const {
+  const double fixed = options_.linearised.alpha;
+  const double guess = first_alpha(bound, cells.direct_length, most_priority, fixed);
+  return fixed == 0.0 && query.goal == last_goal_ ? std::max(guess, last_alpha_) : guess;
+}
+
 void LinearisedPlanner::search(const Scene& scene, const Query& query, const GridQuery& cells,
                                Plan& best) {
   const GridFrame& frame = scene.occupancy.frame();
   const Budget budget(options_.max_expansions, query.interrupted);
-  const bool alone = options_.weights.priority == 0.0 || cells.start == cells.goal;
-  std::optional<PenaltyBound> bound;
-  double alpha = 1.0;
-  if (!alone) {
-    const double most = std::max(scene.priority.maximum(), 0.0);
-    bound.emplace(options_.weights, cells.direct_length, most);
-    alpha = options_.linearised.alpha > 0.0
-                ? options_.linearised.alpha
-                : bound->alpha_at(kLikelyDetour * cells.direct_length, kLikelyPriority * most);
-    alpha = std::max(alpha, bound->least_alpha());
-  }
-
-  std::vector<double> tried;
-  for (int i = 0; i < max_searches_; ++i) {
-    const AdditiveResult found =
-        search_.run(scene, query, cells, {alpha, alone ? 0.0 : 1.0}, budget, best.stats);
-    if (found.status != PlanStatus::Found) {
-      // Out of budget: what was found before stands, and so does its bound.
-      if (i == 0) best.status = found.status;
-      return;
-    }
+  double longest = std::numeric_limits<double>::infinity();
+  const auto run = [&](const AdditiveCost& cost, const Budget& limit) {
+    const AdditiveResult found = search_.run(scene, query, cells, cost, limit, best.stats, longest);
+    if (found.status != PlanStatus::Found) return found;
     Plan candidate;
     accept(scene, query, cells, options_.weights, path_through(frame, query, found.chain),
            candidate);
@@ -88,27 +82,60 @@ void LinearisedPlanner::search(const Scene& scene, const Query& query, const Gri
       candidate.bound = best.bound;
       best = std::move(candidate);
     }
-    if (alone) {
-      best.bound = best.penalty;  // the shortest path, or the only one
+    return found;
+  };
+
+  if (options_.weights.priority == 0.0 || cells.start == cells.goal) {
+    const PlanStatus status = run({1.0, 0.0}, budget).status;
+    if (status != PlanStatus::Found) best.status = status;
+    if (status == PlanStatus::Found) best.bound = best.penalty;  // the shortest, or the only one
+    return;
+  }
+  const double most = std::max(scene.priority.maximum(), 0.0);
+  PenaltyBound bound(options_.weights, cells.direct_length, most);
+  double alpha = begin_with(bound, cells, query, most);
+  std::vector<double> tried;
+  const auto slope = [&] { return bound.alpha_at(best.tally.length, best.tally.mean_priority()); };
+  bool shortest_known = false;
+  for (int i = 0; i < max_searches_; ++i) {
+    const bool shortest = alpha == 0.0;
+    const AdditiveResult found =
+        run(shortest ? AdditiveCost{1.0, 0.0} : AdditiveCost{alpha, 1.0}, budget);
+    if (i == 0 && found.status != PlanStatus::Found) {
+      best.status = found.status;
       return;
     }
-    bound->add(alpha, found.cost);
-    tried.push_back(alpha);
-    const PenaltyBound::Point lowest = bound->lowest();
-    if (aligned(frame, scene.priority)) best.bound = std::min(lowest.value, best.penalty);
-    if (best.penalty - lowest.value <= options_.linearised.tolerance) return;
-    // Where the bound lies on a corner of two constraints, the slope there cuts the corner off.
-    // Where it lies on one of them, the slope is that search's own; then the best path's slope is
-    // the one to look along.
-    const double slopes[] = {lowest.alpha,
-                             bound->alpha_at(best.tally.length, best.tally.mean_priority())};
-    alpha = 0.0;
-    for (const double slope : slopes) {
-      const double usable = std::max(slope, bound->least_alpha());
-      if (alpha == 0.0 && !is_known(usable, tried)) alpha = usable;
+    // What a search that was stopped has proved counts as well.
+    if (shortest) {
+      bound.add_least_length(found.cost);
+      shortest_known = true;
+    } else {
+      bound.add(alpha, found.cost);
+      tried.push_back(alpha);
     }
-    if (alpha == 0.0) return;
+    const PenaltyBound::Point lowest = bound.lowest();
+    if (aligned(frame, scene.priority)) best.bound = std::min(lowest.value, best.penalty);
+    if (found.status != PlanStatus::Found) break;
+    if (best.penalty - lowest.value <= options_.linearised.tolerance) break;
+    // Where the bound lies on a corner of two constraints, the slope there cuts the corner off.
+    // Where it lies on one of them, the slope is that search's own: then the shortest path tells
+    // whether there are paths that short, and the best path's slope is the last to look along.
+    if (std::min(lowest.alpha, slope()) < bound.least_alpha()) {
+      longest = narrow(scene, query, best.penalty, bound);
+    }
+    const auto usable = [&](double next) { return std::max(next, bound.least_alpha()); };
+    if (!is_known(usable(lowest.alpha), tried)) {
+      alpha = usable(lowest.alpha);
+    } else if (!shortest_known && lowest.length < best.tally.length) {
+      alpha = 0.0;
+    } else if (!is_known(usable(slope()), tried)) {
+      alpha = usable(slope());
+    } else {
+      break;
+    }
   }
+  last_goal_ = query.goal;
+  last_alpha_ = slope();
 }
 
 }  // namespace ltp

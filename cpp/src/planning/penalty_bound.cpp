@@ -7,18 +7,12 @@
 #include <limits>
 
 namespace ltp {
-namespace {
-
-constexpr double kReserve = 1e-3;  // steps over the best ground still cost this much a metre
-
-}  // namespace
-
 PenaltyBound::PenaltyBound(const PenaltyWeights& weights, double direct_length,
                            double most_priority)
     : per_metre_(weights.length / direct_length),
       priority_weight_(weights.priority),
       ratio_(per_metre_ / weights.priority),
-      direct_length_(direct_length),
+      least_length_(direct_length),
       most_priority_(most_priority),
       least_alpha_(most_priority + kReserve) {}
 
@@ -38,9 +32,9 @@ double PenaltyBound::at(double length) const {
 PenaltyBound::Point PenaltyBound::lowest() const {
   // Each constraint alone, a L - b alpha + b C / L, is convex in L (C >= 0: every step costs
   // something), and so is the largest of them. Beyond `high` the length term alone is worse than
-  // the bound at L_direct.
-  double low = direct_length_;
-  double high = direct_length_;
+  // the bound at L_least.
+  double low = least_length_;
+  double high = least_length_;
   if (per_metre_ > 0.0) {
     high = std::max(low, (at(low) + priority_weight_ * most_priority_) / per_metre_);
   } else {

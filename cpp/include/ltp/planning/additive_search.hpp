@@ -3,6 +3,7 @@
 // `AdditiveSearch`: one exact A* for an edge cost that is a sum, the linearised penalty.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "ltp/planning/bucket_queue.hpp"
@@ -16,7 +17,8 @@ namespace ltp {
 /// What a search found.
 struct AdditiveResult {
   PlanStatus status = PlanStatus::NoneFound;
-  double cost = 0.0;        ///< of the best path; no path through cell centres costs less
+  double cost =
+      0.0;  ///< Found: of the best path. Out of budget: no path through centres costs less
   std::vector<Cell> chain;  ///< start ... goal
 };
 
@@ -28,8 +30,11 @@ struct AdditiveResult {
 class AdditiveSearch {
  public:
   /// Adds what it did to `stats`. A search that has been told to stop answers `OutOfBudget`.
+  /// @param longest  of all paths from start to goal, those of this length [m] are to be among the
+  ///     candidates; only on the ground that they can visit must every step cost something
   AdditiveResult run(const Scene& scene, const Query& query, const GridQuery& cells,
-                     const AdditiveCost& cost, const Budget& budget, SearchStats& stats);
+                     const AdditiveCost& cost, const Budget& budget, SearchStats& stats,
+                     double longest = std::numeric_limits<double>::infinity());
 
  private:
   struct Node {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ltp authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The open list of an additive search: buckets of equal width, emptied last in, first out.
+// The open list of an additive search: a ring of buckets, of which only the first is kept in order.
 #pragma once
 
 #include <algorithm>
@@ -11,21 +11,23 @@
 
 namespace ltp {
 
-/// Entries come out in the order of their buckets only. So a search must be ready to improve a cell
-/// that it has expanded already, and may stop when `lower_bound()` has reached what it has.
+/// A strict priority queue for values that come near to one another: a push into a later bucket
+/// costs nothing, the bucket being emptied is a small heap. Entries are never edited; a search
+/// skips stale ones.
 class BucketQueue {
  public:
   struct Entry {
-    double cost = 0.0;  ///< of the cell when it was pushed; another one by now: stale
-    std::uint32_t cell = 0;
+    double value = 0.0;  ///< estimated total cost
+    double cost = 0.0;   ///< the part of it that is known; among equals the largest goes first
+    std::uint32_t cell =
+        0;  ///< index in the search space; the last tie-breaker, so that runs repeat
   };
 
   /// @param first  the least value to come
-  /// @param width  of a bucket, > 0; values are to come at most `kBuckets` - 2 widths above the
-  ///     lower bound, else they come out too early
+  /// @param width  of a bucket, > 0; values come at most `kBuckets` - 2 widths above the lower
+  /// bound
   void begin(double first, double width) {
     first_ = first;
-    width_ = width;
     per_width_ = 1.0 / width;
     now_ = 0;
     size_ = 0;
@@ -33,35 +35,47 @@ class BucketQueue {
   }
 
   bool empty() const { return size_ == 0; }
-  /// No value that is still in the queue is below it.
-  double lower_bound() const { return first_ + static_cast<double>(now_) * width_; }
 
-  void push(double value, const Entry& entry) {
-    const auto bucket = static_cast<std::int64_t>((value - first_) * per_width_);
-    buckets_[std::clamp(bucket, now_, now_ + kBuckets - 1) % kBuckets].push_back(entry);
+  void push(const Entry& entry) {
+    const auto bucket = static_cast<std::int64_t>((entry.value - first_) * per_width_);
+    const std::int64_t number = std::clamp(bucket, now_, now_ + kBuckets - 1);
+    std::vector<Entry>& entries = buckets_[number % kBuckets];
+    entries.push_back(entry);
+    if (number == now_) std::push_heap(entries.begin(), entries.end(), later);
     ++size_;
   }
 
-  /// Goes on to the next bucket that holds something. The queue must not be empty.
-  void settle() {
-    while (buckets_[now_ % kBuckets].empty()) ++now_;
+  /// The entry of the least value. The queue must not be empty.
+  const Entry& top() {
+    if (buckets_[now_ % kBuckets].empty()) {
+      while (buckets_[now_ % kBuckets].empty()) ++now_;
+      std::vector<Entry>& entries = buckets_[now_ % kBuckets];
+      std::make_heap(entries.begin(), entries.end(), later);
+    }
+    return buckets_[now_ % kBuckets].front();
   }
-  /// The last entry of the bucket that `settle` found.
   Entry pop() {
-    std::vector<Entry>& bucket = buckets_[now_ % kBuckets];
-    const Entry last = bucket.back();
-    bucket.pop_back();
+    top();
+    std::vector<Entry>& entries = buckets_[now_ % kBuckets];
+    std::pop_heap(entries.begin(), entries.end(), later);
+    const Entry best = entries.back();
+    entries.pop_back();
     --size_;
-    return last;
+    return best;
   }
 
   static constexpr std::int64_t kBuckets = 1024;
 
  private:
+  static bool later(const Entry& a, const Entry& b) {
+    if (a.value != b.value) return a.value > b.value;
+    if (a.cost != b.cost) return a.cost < b.cost;
+    return a.cell > b.cell;
+  }
+
   double first_ = 0.0;
-  double width_ = 1.0;
   double per_width_ = 1.0;
-  std::int64_t now_ = 0;
+  std::int64_t now_ = 0;  ///< number of the first bucket that may hold something
   std::size_t size_ = 0;
   std::array<std::vector<Entry>, kBuckets> buckets_;
 };

@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "ltp/planning/ellipse.hpp"
 #include "ltp/planning/grid_query.hpp"
 
 namespace ltp {
@@ -43,8 +44,9 @@ class ColumnField {
  public:
   /// Aims at a query's goal; goes on with what it has if nothing changed. The scene is read as long
   /// as the field is asked. Costs must be positive.
-  void aim(const Scene& scene, const AdditiveCost& cost, const Query& query,
-           const GridQuery& cells);
+  /// @param longest  columns that no path of this length [m] from start to goal can visit are walls
+  void aim(const Scene& scene, const AdditiveCost& cost, const Query& query, const GridQuery& cells,
+           double longest);
 
   /// The least cost from the centre of a column of the window to the goal; infinite if there is no
   /// way.
@@ -109,6 +111,8 @@ class ColumnField {
 
   Aim aim_;
   const Raster* raster_ = nullptr;
+  const GridFrame* frame_ = nullptr;        ///< the window's
+  Ellipse reach_;                           ///< what lies beyond is a wall
   const OccupancyGrid* walls_ = nullptr;    ///< null: the field knows no obstacles
   std::vector<std::uint64_t> open_levels_;  ///< of the query, as one column of `walls_`
   std::array<int, 2> shift_{};              ///< from the window's columns to the field's

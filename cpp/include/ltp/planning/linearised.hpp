@@ -4,9 +4,11 @@
 // certified bound meet.
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "ltp/planning/additive_search.hpp"
+#include "ltp/planning/penalty_bound.hpp"
 #include "ltp/planning/planner.hpp"
 
 namespace ltp {
@@ -16,13 +18,17 @@ namespace ltp {
 /// every step costs something and A* is exact for it. A search with alpha whose least cost is C
 /// proves P <= alpha L - C for every path through cell centres: a lower bound on Eq. (5),
 /// `Plan::bound`. Where the bound lies, the slope of Eq. (5) is the next alpha (Aneja and Nair's
-/// dichotomic search, steered by the penalty).
+/// dichotomic search, steered by the penalty); the shortest path bounds it from the other side.
 ///
-/// Ends when the best path is within the tolerance of the bound, or when another search could bring
-/// nothing new: then the path is the best supported one, and the true optimum lies between the
-/// bound and it. For W_P = 0 one search is exact. Where alpha would have to be below the largest
-/// priority (long detours over the best ground pay), it is held just above: the bound stays valid
-/// and gets wider. The bound is given where the priority raster's cells are the grid's columns.
+/// Ends when the best path is within the tolerance of the bound, when another search could bring
+/// nothing new - then the path is the best supported one, and the true optimum lies between the
+/// bound and it - or when its effort is spent. For W_P = 0 one search is exact. Where alpha would
+/// have to be below the largest priority (long detours over the best ground pay), it is held just
+/// above: the bound stays valid and gets wider. The bound is given where the priority raster's
+/// cells are the grid's columns.
+///
+/// It begins with a guess from the weights, or with the slope at its last path if that led to the
+/// same goal and is steeper: a larger alpha is a faster search for a shorter path.
 class LinearisedPlanner final : public Planner {
  public:
   /// @param max_searches  1: `additive`; more: `sweep`
@@ -34,11 +40,15 @@ class LinearisedPlanner final : public Planner {
 
  private:
   void search(const Scene& scene, const Query& query, const GridQuery& cells, Plan& best);
+  double begin_with(const PenaltyBound& bound, const GridQuery& cells, const Query& query,
+                    double most_priority) const;
 
   std::string name_;
   int max_searches_;
   PlannerOptions options_;
   AdditiveSearch search_;
+  Point last_goal_ = Point::Constant(std::numeric_limits<double>::quiet_NaN());
+  double last_alpha_ = 0.0;
 };
 
 }  // namespace ltp

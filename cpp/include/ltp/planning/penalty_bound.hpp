@@ -3,6 +3,8 @@
 // `PenaltyBound`: what additive searches prove about Eq. (5).
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "ltp/cost/penalty.hpp"
@@ -11,14 +13,27 @@ namespace ltp {
 
 /// After a search with the cost alpha L - P whose least value was C, every path satisfies P <=
 /// alpha L - C. With several such constraints, Eq. (5) is nowhere below
-///     min over L >= L_direct of  a L - b min(p_max, min_i(alpha_i - C_i / L)),   a = W_L /
-///     L_direct, b = W_P.
+///     min over L >= L_least of  a L - b min(p_max, min_i(alpha_i - C_i / L)),   a = W_L /
+///     L_direct, b = W_P,
+/// L_least being L_direct until a longer one is known.
 class PenaltyBound {
  public:
   /// @param most_priority  the largest priority anywhere, >= 0
   PenaltyBound(const PenaltyWeights& weights, double direct_length, double most_priority);
 
   void add(double alpha, double least_cost) { constraints_.push_back({alpha, least_cost}); }
+  /// No path is shorter [m].
+  void add_least_length(double length) { least_length_ = std::max(least_length_, length); }
+  /// No path has a larger mean priority, and none leads over ground of a larger one.
+  void set_most_priority(double most) {
+    most_priority_ = most;
+    least_alpha_ = most + kReserve;
+  }
+  /// No path with a penalty below this one is longer [m].
+  double longest_below(double penalty) const {
+    if (per_metre_ == 0.0) return std::numeric_limits<double>::infinity();
+    return (penalty + priority_weight_ * most_priority_) / per_metre_;
+  }
 
   /// Where the bound lies, and the slope of the penalty there.
   struct Point {
@@ -36,6 +51,8 @@ class PenaltyBound {
   double least_alpha() const { return least_alpha_; }
 
  private:
+  static constexpr double kReserve = 1e-3;  ///< steps over the best ground still cost this a metre
+
   struct Constraint {
     double alpha;
     double least_cost;
@@ -46,7 +63,7 @@ class PenaltyBound {
   double per_metre_;        ///< a
   double priority_weight_;  ///< b
   double ratio_;            ///< a / b [1/m]
-  double direct_length_;
+  double least_length_;     ///< [m]
   double most_priority_;
   double least_alpha_;
   std::vector<Constraint> constraints_;

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltp/planning/linearisation.hpp"
+
+#include <algorithm>
+
+namespace ltp {
+namespace {
+
+// A path this much longer than the direct one, over ground this good. On the paper's maps at its
+// operating point the exact optima lie near by, and a wrong guess costs little.
+constexpr double kLikelyDetour = 1.1;
+constexpr double kLikelyPriority = 0.75;
+
+}  // namespace
+
+double first_alpha(const PenaltyBound& bound, double direct_length, double most_priority,
+                   double fixed) {
+  const double alpha =
+      fixed > 0.0 ? fixed
+                  : bound.alpha_at(kLikelyDetour * direct_length, kLikelyPriority * most_priority);
+  return std::max(alpha, bound.least_alpha());
+}
+
+bool aligned(const GridFrame& frame, const Raster& raster) {
+  if (frame.cell().x() != raster.cell() || frame.cell().y() != raster.cell()) return false;
+  const Eigen::Array2d offset =
+      (frame.origin().head<2>() - raster.origin()).array() / raster.cell();
+  return ((offset - offset.round()).abs() < 1e-9).all();
+}
+
+}  // namespace ltp
