@@ -854,7 +854,7 @@ class LinearisedOptions:
     """
     The additive searches of `additive` and `sweep`.
     """
-    __fields__: typing.ClassVar[tuple] = ('alpha', 'tolerance', 'searches')
+    __fields__: typing.ClassVar[tuple] = ('alpha', 'tolerance', 'searches', 'effort')
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
@@ -866,6 +866,14 @@ class LinearisedOptions:
         """
     @alpha.setter
     def alpha(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def effort(self) -> int:
+        """
+        expansions that `sweep` may spend after its first path; 0: no limit
+        """
+    @effort.setter
+    def effort(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
     @property
     def searches(self) -> int:

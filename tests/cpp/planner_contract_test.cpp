@@ -55,7 +55,7 @@ class PlannerContract : public ::testing::TestWithParam<std::string> {
 
 TEST(PlannerNames, AreThoseOfThePaperAndTheNewOnes) {
   const std::vector<std::string_view> expected = {"lp-dijkstra", "lp-a-star", "wlp-a-star", "ggwp",
-                                                  "bezier",      "additive",  "sweep"};
+                                                  "bezier",      "additive",  "sweep",      "auto"};
   EXPECT_EQ(planner_names(), expected);
   try {
     make_planner("dijkstra");
@@ -173,6 +173,9 @@ bool remembers(const std::string& name) {
   return false;
 }
 
+/// Whether a planner makes several searches, and keeps what the first ones found.
+bool searches_again(const std::string& name) { return name == "sweep" || name == "auto"; }
+
 TEST_P(PlannerContract, AnswersTheSameFreshAndUsedAndAgain) {
   const std::unique_ptr<Planner> used = make();
   const std::unique_ptr<Planner> twin = make();
@@ -202,7 +205,7 @@ TEST_P(PlannerContract, ExpandsACellAtMostOnce) {
         std::int64_t{frame.nx()} * frame.ny() * (levels.highest - levels.lowest + 1);
     const std::int64_t curves =
         std::int64_t{options.bezier.offsets} * options.bezier.offsets * options.bezier.z_offsets;
-    const std::int64_t searches = GetParam() == "sweep" ? options.linearised.searches : 1;
+    const std::int64_t searches = searches_again(GetParam()) ? options.linearised.searches : 1;
     EXPECT_LE(plan.stats.expanded, planner->complete() ? cells * searches : curves)
         << situation.name;
     EXPECT_GE(plan.stats.expanded, 0);
@@ -227,7 +230,7 @@ TEST_P(PlannerContract, GivesUpAtItsBudgetAndNotBefore) {
     options.max_expansions = needed - 1;
     const Plan stopped = make(options)->plan(situation.scene(), situation.query);
     EXPECT_EQ(stopped.stats.expanded, needed - 1);
-    if (GetParam() != "sweep" || stopped.status != PlanStatus::Found) {
+    if (!searches_again(GetParam()) || stopped.status != PlanStatus::Found) {
       EXPECT_EQ(to_string(stopped.status), "out_of_budget");
       EXPECT_EQ(stopped.path.rows(), 0);
       EXPECT_EQ(stopped.penalty, kInfinity);
@@ -334,6 +337,10 @@ TEST_P(PlannerContract, NamesTheOptionThatIsWrong) {
       {"bezier.segments", [](PlannerOptions& o) { o.bezier.segments = 1; }},
       {"bezier.segments", [](PlannerOptions& o) { o.bezier.segments = -5; }},
       {"bezier.segments", [](PlannerOptions& o) { o.bezier.segments = 2000000000; }},
+      {"linearised.alpha", [](PlannerOptions& o) { o.linearised.alpha = -1.0; }},
+      {"linearised.tolerance", [](PlannerOptions& o) { o.linearised.tolerance = kNan; }},
+      {"linearised.searches", [](PlannerOptions& o) { o.linearised.searches = 0; }},
+      {"linearised.effort", [](PlannerOptions& o) { o.linearised.effort = -1; }},
   };
   for (const Case& test : cases) {
     PlannerOptions options;

@@ -19,6 +19,8 @@ from ltp import PlanStatus
 NAN, INF = math.nan, math.inf
 #: What these answer may depend on what they were asked before.
 REMEMBERING = ("additive", "sweep", "incremental", "auto")
+#: They search several times, and keep what the first searches found.
+SEARCHING_AGAIN = ("sweep", "auto")
 CELL = np.array((2.0, 2.0, 4.0))
 
 
@@ -59,9 +61,9 @@ def passes_through(blocked: np.ndarray, path: np.ndarray, shrunk: float) -> bool
 
 def test_the_planners_are_those_of_the_paper_and_the_new_ones() -> None:
     assert ltp.PLANNERS[:5] == ("lp-dijkstra", "lp-a-star", "wlp-a-star", "ggwp", "bezier")
-    assert ltp.PLANNERS[5:] == ("additive", "sweep")
+    assert ltp.PLANNERS[5:] == ("additive", "sweep", "auto")
     assert [make(name).name for name in ltp.PLANNERS] == list(ltp.PLANNERS)
-    assert [make(name).complete for name in ltp.PLANNERS] == [True] * 4 + [False, True, True]
+    assert [make(name).complete for name in ltp.PLANNERS] == [True] * 4 + [False, True, True, True]
     with pytest.raises(ValueError, match=r"^planner = 'a-star': expected one of lp-dijkstra, "):
         ltp.make_planner("a-star")
 
@@ -126,7 +128,7 @@ def test_random_worlds(
         assert plan.penalty == pytest.approx(ltp.penalty(again, direct), rel=1e-12)
     else:
         assert plan.tally.length == 0
-    searches = ltp.LinearisedOptions().searches if name == "sweep" else 1
+    searches = ltp.LinearisedOptions().searches if name in SEARCHING_AGAIN else 1
     assert plan.stats.expanded <= (blocked.size * searches if planner.complete else 7 * 7)
     twice = (make(name) if name in REMEMBERING else planner).plan(scene, query)
     assert twice.path.tobytes() == plan.path.tobytes()
@@ -210,7 +212,7 @@ def test_a_budget_ends_the_search(name: str) -> None:
     needed = make(name).plan(scene, query).stats.expanded
     stopped = make(name, max_expansions=needed - 1).plan(scene, query)
     assert stopped.stats.expanded == needed - 1
-    if name == "sweep":  # it keeps what it has, and gives up only where it has nothing
+    if name in SEARCHING_AGAIN:  # it keeps what it has, and gives up only where it has nothing
         assert stopped.status == PlanStatus.FOUND
         stopped = make(name, max_expansions=3).plan(scene, query)
     assert stopped.status == PlanStatus.OUT_OF_BUDGET

@@ -114,8 +114,10 @@ void bind_options(py::module_& m) {
                      "of the first search; 0: from the weights")
       .def_readwrite("tolerance", &ltp::LinearisedOptions::tolerance,
                      "of Eq. (5): `sweep` stops when path and bound are this close")
-      .def_readwrite("searches", &ltp::LinearisedOptions::searches, "that `sweep` makes at most");
-  list_fields(linearised, {"alpha", "tolerance", "searches"});
+      .def_readwrite("searches", &ltp::LinearisedOptions::searches, "that `sweep` makes at most")
+      .def_readwrite("effort", &ltp::LinearisedOptions::effort,
+                     "expansions that `sweep` may spend after its first path; 0: no limit");
+  list_fields(linearised, {"alpha", "tolerance", "searches", "effort"});
 
   auto options =
       py::class_<ltp::PlannerOptions>(m, "PlannerOptions", "What every planner can be told.");

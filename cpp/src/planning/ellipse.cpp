@@ -6,15 +6,27 @@
 
 namespace ltp {
 
-double most_priority(const GridFrame& frame, const Raster& priority, const Ellipse& ellipse) {
-  double most = std::max({0.0, priority.at(ellipse.start.x(), ellipse.start.y()),
-                          priority.at(ellipse.goal.x(), ellipse.goal.y())});
-  for (int ix = 0; ix < frame.nx(); ++ix) {
-    const int i = priority.index_of(0, frame.centre(Cell(ix, 0, 0)).x());
-    for (int iy = 0; iy < frame.ny(); ++iy) {
-      const Point centre = frame.centre(Cell(ix, iy, 0));
-      const double value = priority(i, priority.index_of(1, centre.y()));
-      if (value > most && ellipse.contains(centre.head<2>())) most = value;
+double most_priority(const GridFrame& frame, const ColumnPriority& priority, const Ellipse& ellipse,
+                     double enough) {
+  Cell low = Cell::Zero();
+  Cell high(frame.nx() - 1, frame.ny() - 1, 0);
+  if (!ellipse.unbounded()) {  // the box round it
+    const Eigen::Vector2d centre = 0.5 * (ellipse.start + ellipse.goal);
+    const Eigen::Vector2d half = Eigen::Vector2d::Constant(0.5 * ellipse.longest);
+    const auto cell_of = [&](const Eigen::Vector2d& corner) {
+      return frame.cell_of(Point(corner.x(), corner.y(), frame.origin().z()));
+    };
+    low = cell_of(centre - half).cwiseMax(low);
+    high = cell_of(centre + half).cwiseMin(high);
+  }
+  double most = 0.0;
+  for (int ix = low.x(); ix <= high.x(); ++ix) {
+    for (int iy = low.y(); iy <= high.y(); ++iy) {
+      const double value = priority(ix, iy);
+      if (value <= most) continue;
+      if (!ellipse.contains(frame.centre(Cell(ix, iy, 0)).head<2>())) continue;
+      most = value;
+      if (most >= enough) return most;
     }
   }
   return most;

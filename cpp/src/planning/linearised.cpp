@@ -16,26 +16,11 @@ namespace {
 
 constexpr double kSameAlpha = 1e-4;
 constexpr int kRoundsOfNarrowing = 3;
+constexpr double kWorthNarrowing = 0.01;  // of the largest priority
 
 bool is_known(double alpha, const std::vector<double>& tried) {
   return std::any_of(tried.begin(), tried.end(),
                      [&](double other) { return std::abs(other - alpha) < kSameAlpha; });
-}
-
-/// Leaves over only paths that may have a smaller penalty than the best: bounds their length, and
-/// with it the ground that they can visit and the best priority there, and so on. Returns the
-/// length [m].
-double narrow(const Scene& scene, const Query& query, double penalty, PenaltyBound& bound) {
-  const GridFrame& frame = scene.occupancy.frame();
-  // Between two centres a step may touch the columns beside it.
-  const double margin = 4.0 * frame.cell().head<2>().norm();
-  double longest = bound.longest_below(penalty);
-  for (int i = 0; i < kRoundsOfNarrowing; ++i) {
-    const Ellipse ground(query, longest + margin);
-    bound.set_most_priority(most_priority(frame, scene.priority, ground));
-    longest = bound.longest_below(penalty);
-  }
-  return longest;
 }
 
 }  // namespace
@@ -59,6 +44,27 @@ Plan LinearisedPlanner::plan(const Scene& scene, const Query& query) {
   return plan;
 }
 
+/// Leaves over only paths that may have a smaller penalty than the best: bounds their length, and
+/// with it the ground that they can visit and the best priority there, and so on. Returns the
+/// length [m].
+double LinearisedPlanner::narrow(const Scene& scene, const Query& query, double penalty,
+                                 PenaltyBound& bound) {
+  const GridFrame& frame = scene.occupancy.frame();
+  priority_.reset(frame, scene.priority);
+  // Between two centres a step may touch the columns beside it.
+  const double margin = 4.0 * frame.cell().head<2>().norm();
+  double longest = bound.longest_below(penalty);
+  for (int i = 0; i < kRoundsOfNarrowing; ++i) {
+    const double most = bound.most_priority();
+    const Ellipse ground(query, longest + margin);
+    const double found = most_priority(frame, priority_, ground, (1.0 - kWorthNarrowing) * most);
+    if (found >= (1.0 - kWorthNarrowing) * most) break;
+    bound.set_most_priority(found);
+    longest = bound.longest_below(penalty);
+  }
+  return longest;
+}
+
 double LinearisedPlanner::begin_with(const PenaltyBound& bound, const GridQuery& cells,
                                      const Query& query, double most_priority) const {
   const double fixed = options_.linearised.alpha;
@@ -69,10 +75,12 @@ double LinearisedPlanner::begin_with(const PenaltyBound& bound, const GridQuery&
 void LinearisedPlanner::search(const Scene& scene, const Query& query, const GridQuery& cells,
                                Plan& best) {
   const GridFrame& frame = scene.occupancy.frame();
-  const Budget budget(options_.max_expansions, query.interrupted);
+  std::int64_t limit = options_.max_expansions;
   double longest = std::numeric_limits<double>::infinity();
-  const auto run = [&](const AdditiveCost& cost, const Budget& limit) {
-    const AdditiveResult found = search_.run(scene, query, cells, cost, limit, best.stats, longest);
+  const auto run = [&](const AdditiveCost& cost) {
+    const Budget budget(limit, query.interrupted);
+    const AdditiveResult found =
+        search_.run(scene, query, cells, cost, budget, best.stats, longest);
     if (found.status != PlanStatus::Found) return found;
     Plan candidate;
     accept(scene, query, cells, options_.weights, path_through(frame, query, found.chain),
@@ -86,7 +94,7 @@ void LinearisedPlanner::search(const Scene& scene, const Query& query, const Gri
   };
 
   if (options_.weights.priority == 0.0 || cells.start == cells.goal) {
-    const PlanStatus status = run({1.0, 0.0}, budget).status;
+    const PlanStatus status = run({1.0, 0.0}).status;
     if (status != PlanStatus::Found) best.status = status;
     if (status == PlanStatus::Found) best.bound = best.penalty;  // the shortest, or the only one
     return;
@@ -99,11 +107,14 @@ void LinearisedPlanner::search(const Scene& scene, const Query& query, const Gri
   bool shortest_known = false;
   for (int i = 0; i < max_searches_; ++i) {
     const bool shortest = alpha == 0.0;
-    const AdditiveResult found =
-        run(shortest ? AdditiveCost{1.0, 0.0} : AdditiveCost{alpha, 1.0}, budget);
+    const AdditiveResult found = run(shortest ? AdditiveCost{1.0, 0.0} : AdditiveCost{alpha, 1.0});
     if (i == 0 && found.status != PlanStatus::Found) {
       best.status = found.status;
       return;
+    }
+    if (i == 0 && options_.linearised.effort > 0) {
+      const std::int64_t enough = best.stats.expanded + options_.linearised.effort;
+      limit = limit > 0 ? std::min(limit, enough) : enough;
     }
     // What a search that was stopped has proved counts as well.
     if (shortest) {

@@ -38,6 +38,14 @@ std::unique_ptr<Planner> sweep(std::string_view name, const PlannerOptions& opti
                                              options);
 }
 
+/// What a UAV should fly: a sweep whose last searches cannot take much longer than its first.
+std::unique_ptr<Planner> automatic(std::string_view name, const PlannerOptions& options) {
+  constexpr std::int64_t kEffort = 20000;
+  PlannerOptions bounded = options;
+  if (bounded.linearised.effort == 0) bounded.linearised.effort = kEffort;
+  return sweep(name, bounded);
+}
+
 template <typename Kind>
 std::unique_ptr<Planner> plain(std::string_view, const PlannerOptions& options) {
   return std::make_unique<Kind>(options);
@@ -51,6 +59,7 @@ constexpr Entry kPlanners[] = {
     {"bezier", plain<BezierPlanner>},
     {"additive", additive},  // beyond the paper
     {"sweep", sweep},
+    {"auto", automatic},
 };
 
 void odd(const std::string& name, int value) {
@@ -93,6 +102,9 @@ void PlannerOptions::check() const {
   check::not_negative("linearised.tolerance", linearised.tolerance);
   if (linearised.searches < 1) {
     check::fail("linearised.searches", linearised.searches, "a number >= 1");
+  }
+  if (linearised.effort < 0) {
+    check::fail("linearised.effort", linearised.effort, "a number >= 0");
   }
 }
 

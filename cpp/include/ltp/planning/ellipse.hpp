@@ -6,8 +6,7 @@
 #include <limits>
 
 #include "ltp/grid/frame.hpp"
-#include "ltp/grid/raster.hpp"
-#include "ltp/planning/planner.hpp"
+#include "ltp/planning/grid_query.hpp"
 
 namespace ltp {
 
@@ -27,7 +26,9 @@ struct Ellipse {
   }
 };
 
-/// The largest priority, >= 0, of a window's columns in an ellipse.
-double most_priority(const GridFrame& frame, const Raster& priority, const Ellipse& ellipse);
+/// The largest priority, >= 0, of a window's columns in an ellipse; not the largest one, but
+/// `enough` or more, where that is reached.
+double most_priority(const GridFrame& frame, const ColumnPriority& priority, const Ellipse& ellipse,
+                     double enough);
 
 }  // namespace ltp

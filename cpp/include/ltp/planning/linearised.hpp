@@ -40,6 +40,7 @@ class LinearisedPlanner final : public Planner {
 
  private:
   void search(const Scene& scene, const Query& query, const GridQuery& cells, Plan& best);
+  double narrow(const Scene& scene, const Query& query, double penalty, PenaltyBound& bound);
   double begin_with(const PenaltyBound& bound, const GridQuery& cells, const Query& query,
                     double most_priority) const;
 
@@ -47,6 +48,7 @@ class LinearisedPlanner final : public Planner {
   int max_searches_;
   PlannerOptions options_;
   AdditiveSearch search_;
+  ColumnPriority priority_;
   Point last_goal_ = Point::Constant(std::numeric_limits<double>::quiet_NaN());
   double last_alpha_ = 0.0;
 };

@@ -29,6 +29,7 @@ class PenaltyBound {
     most_priority_ = most;
     least_alpha_ = most + kReserve;
   }
+  double most_priority() const { return most_priority_; }
   /// No path with a penalty below this one is longer [m].
   double longest_below(double penalty) const {
     if (per_metre_ == 0.0) return std::numeric_limits<double>::infinity();

@@ -97,6 +97,7 @@ struct LinearisedOptions {
   double alpha = 0.0;       ///< of the first search; 0: from the weights
   double tolerance = 0.01;  ///< of Eq. (5): `sweep` stops when path and bound are this close, >= 0
   int searches = 12;        ///< that `sweep` makes at most, >= 1
+  std::int64_t effort = 0;  ///< expansions that `sweep` may spend after its first path; 0: no limit
 };
 
 /// What every planner can be told. A planner ignores what does not concern it.
