@@ -1127,9 +1127,9 @@ class LocalTrajectoryPlanner:
     The loop that flies: way-points, scans and poses in; plan and status out. Replans when the path is
     blocked, left, or its way-point retired; drops a way-point only on proof.
     """
-    def __init__(self, planner: str, priority: Raster, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], *, planner_options: PlannerOptions = ..., map_options: ObstacleMapOptions = ..., options: NavigationOptions = ...) -> None:
+    def __init__(self, priority: Raster, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], *, planner: str = 'auto', planner_options: PlannerOptions = ..., map_options: ObstacleMapOptions = ..., options: NavigationOptions = ...) -> None:
         """
-        planner: a name of `planner_names()`. priority: Raster in [0, 1]. position: (3,) [m].
+        priority: Raster in [0, 1]. position: (3,) [m]. planner: a name of `planner_names()`.
         """
     def sense(self, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], hits: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], misses: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"] = ...) -> InsertStatistics:
         """

@@ -45,7 +45,7 @@ class MissionConfig:
         ValueError: for a value out of range, or a key that does not exist; it is named.
     """
 
-    planner: str = "lp-dijkstra"  # one of `ltp.planners.PLANNERS`
+    planner: str = "auto"  # one of `ltp.planners.PLANNERS`
     length_weight: float = 0.5  # W_L of Eq. 5
     priority_weight: float = 1.0  # W_P of Eq. 5
     scaled_heuristic: bool = False  # multiply Eq. 9 by W_L, which it lacks as printed

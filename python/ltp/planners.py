@@ -10,11 +10,11 @@ PLANNERS: tuple[str, ...] = tuple(planner_names())
 """Every planner's name, in the order of the paper's tables."""
 
 
-def make_planner(name: str, **options: Any) -> Planner:
+def make_planner(name: str = "auto", **options: Any) -> Planner:
     """Make a planner.
 
     Args:
-        name: one of `PLANNERS`.
+        name: one of `PLANNERS`; docs/planners.md says which is for what.
         options: fields of `ltp.PlannerOptions`: length_weight (W_L of Eq. 5, default 0.5),
             priority_weight (W_P, default 1.0), max_expansions, scaled_heuristic, bezier,
             linearised.

@@ -176,7 +176,7 @@ def test_the_summary_names_planners_and_what_they_reached(flown, tmp_path: Path)
     record, _, trace, mission = flown
     figure = summary_figure(mission.world, [record], trace)
     written = texts(figure)
-    assert f"LP-Dijkstra:  P = {record.mean_priority:.2f}" in written
+    assert f"Auto:  P = {record.mean_priority:.2f}" in written
     assert "obstacle cells sensed" in written and ATTRIBUTION in written
     assert picture(figure, tmp_path / "summary.png").std() > 0.1
 

@@ -10,8 +10,8 @@ namespace {
 using Ltp = ltp::LocalTrajectoryPlanner;
 using Band = std::pair<double, double>;
 
-std::unique_ptr<Ltp> make(const std::string& planner, const ltp::Raster& priority,
-                          const ltp::Point& position, const ltp::PlannerOptions& planner_options,
+std::unique_ptr<Ltp> make(const ltp::Raster& priority, const ltp::Point& position,
+                          const std::string& planner, const ltp::PlannerOptions& planner_options,
                           const ltp::ObstacleMapOptions& map_options,
                           const ltp::NavigationOptions& options) {
   ltp::check::finite("position", position);
@@ -89,10 +89,10 @@ void bind_navigation(py::module_& m) {
                   "The loop that flies: way-points, scans and poses in; plan and status out. "
                   "Replans when the path is\n"
                   "blocked, left, or its way-point retired; drops a way-point only on proof.")
-      .def(py::init(&make), "planner"_a, "priority"_a, "position"_a, py::kw_only(),
+      .def(py::init(&make), "priority"_a, "position"_a, py::kw_only(), "planner"_a = "auto",
            "planner_options"_a = ltp::PlannerOptions{}, "map_options"_a = ltp::ObstacleMapOptions{},
            "options"_a = ltp::NavigationOptions{},
-           "planner: a name of `planner_names()`. priority: Raster in [0, 1]. position: (3,) [m].")
+           "priority: Raster in [0, 1]. position: (3,) [m]. planner: a name of `planner_names()`.")
       .def("set_way_points", &Ltp::set_way_points, "way_points"_a,
            "Replaces what is left of the global path; (N, 3), world [m].")
       .def("set_priority", &Ltp::set_priority, "priority"_a)

@@ -65,6 +65,11 @@ LocalTrajectoryPlanner::LocalTrajectoryPlanner(std::unique_ptr<Planner> planner,
   if (options_.leave_distance == 0.0) options_.leave_distance = diagonal;
 }
 
+LocalTrajectoryPlanner::LocalTrajectoryPlanner(const ObstacleMapOptions& map_options,
+                                               const NavigationOptions& options, Raster priority,
+                                               const Point& position)
+    : LocalTrajectoryPlanner(make_planner(), map_options, options, std::move(priority), position) {}
+
 void LocalTrajectoryPlanner::set_way_points(const PathRef& way_points) {
   for (Eigen::Index i = 0; i < way_points.rows(); ++i) {
     check::finite("way_points[" + std::to_string(i) + "]", Point(way_points.row(i).transpose()));

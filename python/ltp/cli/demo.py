@@ -54,14 +54,14 @@ def demo(
         observers=[CampaignProgress(console)],
     )
     drawn = {variant.planner: variant for variant in variants}  # of each planner the last
-    star = drawn.pop("lp-dijkstra")
+    star = drawn.pop("auto")
     record, sensed, recorded = fly_recorded(
         world,
         mission_config(base, star),
         scenarios[0].global_path,
         out / "demo.rrd",
         None,
-        "recording LP-Dijkstra",
+        "recording Auto",
     )
     keys = {
         flight.variant: flight.key for flight in campaign.flights() if flight.scenario.index == 0

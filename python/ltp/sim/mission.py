@@ -60,9 +60,9 @@ class Mission:
         self.priority = _priority(world, config, self.global_path)
         self.lidar = Lidar(config.lidar)
         self.planner = LocalTrajectoryPlanner(
-            config.planner,
             self.priority,
             self.global_path[0],
+            planner=config.planner,
             planner_options=config.planner_options(),
             map_options=config.mapping,
             options=config.navigation,

@@ -75,6 +75,9 @@ class LocalTrajectoryPlanner {
   /// @param position  where the map's window begins [m]
   LocalTrajectoryPlanner(std::unique_ptr<Planner> planner, const ObstacleMapOptions& map_options,
                          const NavigationOptions& options, Raster priority, const Point& position);
+  /// Flies `auto`.
+  LocalTrajectoryPlanner(const ObstacleMapOptions& map_options, const NavigationOptions& options,
+                         Raster priority, const Point& position);
 
   /// Replaces what is left of the global path. Rows are way-points, world [m]; may be empty.
   void set_way_points(const PathRef& way_points);

@@ -116,8 +116,9 @@ struct PlannerOptions {
 /// The planners' names, in the order of the paper's tables.
 const std::vector<std::string_view>& planner_names();
 
-/// Makes a planner by its name. Throws `std::invalid_argument` for an unknown one, listing those
+/// Makes a planner by its name; `auto` is what a UAV should fly. Throws `std::invalid_argument` for an unknown one, listing those
 /// known.
-std::unique_ptr<Planner> make_planner(std::string_view name, const PlannerOptions& options = {});
+std::unique_ptr<Planner> make_planner(std::string_view name = "auto",
+                                      const PlannerOptions& options = {});
 
 }  // namespace ltp
