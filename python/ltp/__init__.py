@@ -4,6 +4,7 @@
 
 from ltp._core import (
     BezierOptions,
+    Front,
     GridFrame,
     HeightSurface,
     InsertStatistics,
@@ -18,6 +19,7 @@ from ltp._core import (
     ObstacleMapOptions,
     OccupancyGrid,
     OctreeSurface,
+    ParetoOptions,
     PathTally,
     Plan,
     Planner,
@@ -44,6 +46,7 @@ __all__ = [
     "PLANNERS",
     "BezierOptions",
     "FlightRecord",
+    "Front",
     "GridFrame",
     "HeightSurface",
     "InsertStatistics",
@@ -60,6 +63,7 @@ __all__ = [
     "OccupancyGrid",
     "OctreeSurface",
     "Outcome",
+    "ParetoOptions",
     "PathTally",
     "Plan",
     "PlanStatus",

@@ -19,6 +19,7 @@ from ltp._core import (
     LinearisedOptions,
     NavigationOptions,
     ObstacleMapOptions,
+    ParetoOptions,
     Planner,
     PlannerOptions,
 )
@@ -59,6 +60,7 @@ class MissionConfig:
     vehicle: VehicleOptions = field(default_factory=VehicleOptions)
     bezier: BezierOptions = field(default_factory=BezierOptions)
     linearised: LinearisedOptions = field(default_factory=LinearisedOptions)
+    pareto: ParetoOptions = field(default_factory=ParetoOptions)
     lidar: LidarOptions = field(default_factory=LidarOptions)
     mapping: ObstacleMapOptions = field(default_factory=ObstacleMapOptions)
     navigation: NavigationOptions = field(default_factory=NavigationOptions)
@@ -85,6 +87,7 @@ class MissionConfig:
             max_expansions=self.max_expansions,
             bezier=self.bezier,
             linearised=self.linearised,
+            pareto=self.pareto,
         )
 
     def to_dict(self) -> dict[str, Any]:

@@ -10,66 +10,14 @@
 #include <random>
 #include <vector>
 
+#include "small_grids.hpp"
+
 namespace ltp {
 namespace {
 
+using Instance = test::SmallGrid;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-struct Instance {
-  OccupancyGrid grid;
-  Raster priority;
-  Query query;
-};
-
-/// A random grid of few cells with start and goal anywhere in two of them.
-Instance random_instance(std::mt19937_64& random, const std::array<int, 3>& dims) {
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  Instance instance{OccupancyGrid(GridFrame({0, 0, 0}, {2, 2, 4}, dims)),
-                    Raster(Raster::Values::Zero(dims[0], dims[1]), {0, 0}, 2.0), Query{}};
-  Raster::Values values(dims[0], dims[1]);
-  const bool binary = unit(random) < 0.5;
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    const double value = unit(random);
-    values.data()[i] = binary ? std::round(value) : value;
-  }
-  instance.priority = Raster(values, {0, 0}, 2.0);
-  const auto point = [&] {
-    return Point(unit(random) * 2 * dims[0], unit(random) * 2 * dims[1],
-                 unit(random) * 4 * dims[2]);
-  };
-  instance.query.start = point();
-  instance.query.goal = point();
-  for (std::int64_t i = 0; i < instance.grid.frame().size(); ++i) {
-    if (unit(random) < 0.2) instance.grid.set(instance.grid.frame().cell_at(i));
-  }
-  instance.grid.set(instance.grid.frame().cell_of(instance.query.start), false);
-  instance.grid.set(instance.grid.frame().cell_of(instance.query.goal), false);
-  return instance;
-}
-
-/// Calls `visit(path)` for every simple path from start to goal.
-template <typename Visitor>
-void all_simple_paths(const Instance& instance, Visitor&& visit) {
-  const GridFrame& frame = instance.grid.frame();
-  const Cell goal = frame.cell_of(instance.query.goal);
-  std::vector<Cell> chain{frame.cell_of(instance.query.start)};
-  std::vector<char> used(static_cast<std::size_t>(frame.size()), 0);
-  const auto extend = [&](const auto& self) -> void {
-    const Cell cell = chain.back();
-    if (cell == goal) return visit(path_through(frame, instance.query, chain));
-    used[frame.index(cell)] = 1;
-    const std::uint32_t blocked = blocked_surroundings(instance.grid, cell, {0, frame.nz() - 1});
-    for (const Step& step : steps()) {
-      const Cell next = cell + Cell(step.dx, step.dy, step.dz);
-      if ((blocked & step.box) != 0 || used[frame.index(next)] != 0) continue;
-      chain.push_back(next);
-      self(self);
-      chain.pop_back();
-    }
-    used[frame.index(cell)] = 0;
-  };
-  extend(extend);
-}
 
 struct Exact {
   double penalty = kInfinity;  ///< Eq. (5)
@@ -79,8 +27,7 @@ struct Exact {
 Exact exact(const Instance& instance, const PenaltyWeights& weights, double alpha) {
   const Penalty penalty(weights, (instance.query.goal - instance.query.start).norm());
   Exact best;
-  all_simple_paths(instance, [&](const Path& path) {
-    const PathTally sums = tally(path, instance.priority);
+  test::all_simple_paths(instance, [&](const std::vector<Cell>&, const PathTally& sums) {
     best.penalty = std::min(best.penalty, penalty(sums));
     best.cost = std::min(best.cost, alpha * sums.length - sums.priority);
   });
@@ -95,7 +42,7 @@ TEST(Linearised, TheAdditiveSearchFindsTheLeastCost) {
   AdditiveSearch search;
   int found = 0;
   for (int i = 0; i < 300; ++i) {
-    const Instance instance = random_instance(random, i % 2 ? kPlanar : kSpace);
+    const Instance instance = test::random_small_grid(random, i % 2 ? kPlanar : kSpace);
     const double alpha = 1.001 + 0.01 * i;
     const Scene scene{instance.grid, instance.priority};
     const ResolvedQuery resolved = resolve(scene, instance.query);
@@ -124,7 +71,7 @@ TEST(Linearised, TheBoundIsNeverAboveTheExactOptimum) {
   double additive_gap = 0.0;
   double sweep_gap = 0.0;
   for (int i = 0; i < 1000; ++i) {
-    const Instance instance = random_instance(random, i % 3 ? kPlanar : kSpace);
+    const Instance instance = test::random_small_grid(random, i % 3 ? kPlanar : kSpace);
     PlannerOptions options;
     options.weights = weights[i % 6];
     options.linearised.tolerance = 0.0;

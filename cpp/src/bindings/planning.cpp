@@ -7,6 +7,7 @@
 #include "interrupt.hpp"
 #include "ltp/planning/flood.hpp"
 #include "ltp/planning/grid_query.hpp"
+#include "ltp/planning/pareto.hpp"
 #include "ltp/planning/planner.hpp"
 
 namespace {
@@ -29,6 +30,23 @@ class SharedPlanner {
     }
     raise_pending_signal();
     return plan;
+  }
+
+  ltp::Front front(const ltp::Scene& scene, ltp::Query query, double eps) {
+    auto* const pareto = dynamic_cast<ltp::ParetoPlanner*>(planner_.get());
+    if (pareto == nullptr) {
+      throw std::invalid_argument("planner = '" + std::string(planner_->name()) +
+                                  "': expected 'pareto', the only one that has a front");
+    }
+    query.interrupted = SignalWatch();
+    ltp::Front front;
+    {
+      const py::gil_scoped_release release;
+      const std::lock_guard<std::mutex> turn(turn_);
+      front = pareto->front(scene, query, eps);
+    }
+    raise_pending_signal();
+    return front;
   }
 
  private:
@@ -93,6 +111,25 @@ void bind_values(py::module_& m) {
                     "no path has a smaller penalty; None without a proof")
       .def_readonly("stats", &ltp::Plan::stats);
   list_fields(plan, {"status", "tally", "penalty", "bound", "stats"});
+
+  auto front = py::class_<ltp::Front>(
+      m, "Front", "The paths of which none is both shorter and over better ground.");
+  front.def_readonly("status", &ltp::Front::status)
+      .def_property_readonly(
+          "tallies",
+          [](const ltp::Front& self) {
+            Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> rows(self.tallies.size(), 2);
+            for (std::size_t i = 0; i < self.tallies.size(); ++i) {
+              rows.row(static_cast<Eigen::Index>(i)) << self.tallies[i].length,
+                  self.tallies[i].priority;
+            }
+            return rows;
+          },
+          "(k, 2): length and priority integral of each path [m], by rising length; empty unless "
+          "FOUND")
+      .def_readonly("paths", &ltp::Front::paths, "k arrays (N, 3), start ... goal, world [m]")
+      .def_readonly("stats", &ltp::Front::stats);
+  list_fields(front, {"status", "stats"});
 }
 
 void bind_options(py::module_& m) {
@@ -119,6 +156,15 @@ void bind_options(py::module_& m) {
                      "expansions that `sweep` may spend after its first path; 0: no limit");
   list_fields(linearised, {"alpha", "tolerance", "searches", "effort"});
 
+  auto pareto =
+      py::class_<ltp::ParetoOptions>(m, "ParetoOptions", "The exact search of `pareto`.");
+  pareto.def(py::init(&from_keywords<ltp::ParetoOptions>))
+      .def_readwrite("memory", &ltp::ParetoOptions::memory,
+                     "for its labels; needing more is OUT_OF_BUDGET [MB]")
+      .def_readwrite("eps", &ltp::ParetoOptions::eps,
+                     "Eq. (5) + W_P p_max may be this part above its optimum");
+  list_fields(pareto, {"memory", "eps"});
+
   auto options =
       py::class_<ltp::PlannerOptions>(m, "PlannerOptions", "What every planner can be told.");
   options.def(py::init(&from_keywords<ltp::PlannerOptions>))
@@ -135,9 +181,10 @@ void bind_options(py::module_& m) {
       .def_readwrite("scaled_heuristic", &ltp::PlannerOptions::scaled_heuristic,
                      "multiply Eq. (9) by W_L, which it lacks as printed")
       .def_readwrite("bezier", &ltp::PlannerOptions::bezier)
-      .def_readwrite("linearised", &ltp::PlannerOptions::linearised);
+      .def_readwrite("linearised", &ltp::PlannerOptions::linearised)
+      .def_readwrite("pareto", &ltp::PlannerOptions::pareto);
   list_fields(options, {"length_weight", "priority_weight", "max_expansions", "scaled_heuristic",
-                        "bezier", "linearised"});
+                        "bezier", "linearised", "pareto"});
 }
 
 /// The cells that a flood over faces reaches from a point, bool (nx, ny, nz).
@@ -172,7 +219,15 @@ void bind_planning(py::module_& m) {
           "whether its failure proves that no path exists")
       .def("plan", &SharedPlanner::plan, "scene"_a, "query"_a,
            "Plans a path. Lets other threads run; Ctrl-C interrupts it. ValueError for a query "
-           "that is not finite.");
+           "that is not finite.")
+      .def("front", &SharedPlanner::front, "scene"_a, "query"_a, "eps"_a = 0.0,
+           "All paths of which none is both shorter (L) and over better ground (R = p_max L - P, "
+           "p_max the largest\n"
+           "priority in the window, P the priority integral). With eps, for each path one of them "
+           "has at most\n"
+           "(1 + eps) times its L and its R. Only `pareto` has a front: ValueError for another "
+           "planner, for a query\n"
+           "that is not finite and for a wrong eps. Lets other threads run; Ctrl-C interrupts it.");
   m.def("planner_names", &ltp::planner_names,
         "The planners' names, in the order of the paper's tables.");
   m.def("flood_fill", &flood_fill, "grid"_a, "query"_a,

@@ -11,6 +11,7 @@
 #include "ltp/planning/bezier.hpp"
 #include "ltp/planning/length_priority.hpp"
 #include "ltp/planning/linearised.hpp"
+#include "ltp/planning/pareto.hpp"
 #include "ltp/planning/wavefront.hpp"
 
 namespace ltp {
@@ -59,6 +60,7 @@ constexpr Entry kPlanners[] = {
     {"bezier", plain<BezierPlanner>},
     {"additive", additive},  // beyond the paper
     {"sweep", sweep},
+    {"pareto", plain<ParetoPlanner>},
     {"auto", automatic},
 };
 
@@ -106,6 +108,8 @@ void PlannerOptions::check() const {
   if (linearised.effort < 0) {
     check::fail("linearised.effort", linearised.effort, "a number >= 0");
   }
+  check::positive("pareto.memory", pareto.memory);
+  check::not_negative("pareto.eps", pareto.eps);
 }
 
 LevelRange levels_of(const GridFrame& frame, const Query& query) {

@@ -100,6 +100,12 @@ struct LinearisedOptions {
   std::int64_t effort = 0;  ///< expansions that `sweep` may spend after its first path; 0: no limit
 };
 
+/// The exact search, see `ParetoPlanner`.
+struct ParetoOptions {
+  double memory = 512.0;  ///< for its labels; more is `OutOfBudget` [MB], > 0
+  double eps = 0.0;       ///< Eq. (5) + W_P p_max may be this part above its optimum, >= 0
+};
+
 /// What every planner can be told. A planner ignores what does not concern it.
 struct PlannerOptions {
   PenaltyWeights weights;
@@ -109,6 +115,7 @@ struct PlannerOptions {
   bool scaled_heuristic = false;
   BezierOptions bezier;
   LinearisedOptions linearised;
+  ParetoOptions pareto;
 
   void check() const;  ///< throws `std::invalid_argument` that names the field
 };
