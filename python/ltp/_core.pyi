@@ -10,7 +10,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['BezierOptions', 'GridFrame', 'HeightSurface', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'PathTally', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'WayPointEvent', 'closest_point', 'flood_fill', 'inflate', 'path_length', 'penalty', 'planner_names', 'point_at', 'resample', 'tally']
+__all__: list[str] = ['BezierOptions', 'Front', 'GridFrame', 'HeightSurface', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'ParetoOptions', 'PathTally', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'WayPointEvent', 'closest_point', 'flood_fill', 'inflate', 'path_length', 'penalty', 'planner_names', 'point_at', 'resample', 'tally']
 class Pose:
     """
     Where a body is and how it is turned (world ENU, body x forward, y left, z up).
@@ -801,6 +801,29 @@ class Plan:
         """
         length and priority integral of the path
         """
+class Front:
+    """
+    The paths of which none is both shorter and over better ground.
+    """
+    __fields__: typing.ClassVar[tuple] = ('status', 'stats')
+    def __repr__(self) -> str:
+        ...
+    @property
+    def paths(self) -> list[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]]:
+        """
+        k arrays (N, 3), start ... goal, world [m]
+        """
+    @property
+    def stats(self) -> SearchStats:
+        ...
+    @property
+    def status(self) -> PlanStatus:
+        ...
+    @property
+    def tallies(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 2]"]:
+        """
+        (k, 2): length and priority integral of each path [m], by rising length; empty unless FOUND
+        """
 class BezierOptions:
     """
     The Bezier planner's exhaustive search.
@@ -891,13 +914,39 @@ class LinearisedOptions:
     @tolerance.setter
     def tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
+class ParetoOptions:
+    """
+    The exact search of `pareto`.
+    """
+    __fields__: typing.ClassVar[tuple] = ('memory', 'eps')
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def eps(self) -> float:
+        """
+        Eq. (5) + W_P p_max may be this part above its optimum
+        """
+    @eps.setter
+    def eps(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def memory(self) -> float:
+        """
+        for its labels; needing more is OUT_OF_BUDGET [MB]
+        """
+    @memory.setter
+    def memory(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
 class PlannerOptions:
     """
     What every planner can be told.
     """
-    __fields__: typing.ClassVar[tuple] = ('length_weight', 'priority_weight', 'max_expansions', 'scaled_heuristic', 'bezier', 'linearised')
+    __fields__: typing.ClassVar[tuple] = ('length_weight', 'priority_weight', 'max_expansions', 'scaled_heuristic', 'bezier', 'linearised', 'pareto')
     bezier: BezierOptions
     linearised: LinearisedOptions
+    pareto: ParetoOptions
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
@@ -944,6 +993,13 @@ class Planner:
     """
     def __init__(self, name: str, options: PlannerOptions = ...) -> None:
         ...
+    def front(self, scene: Scene, query: Query, eps: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> Front:
+        """
+        All paths of which none is both shorter (L) and over better ground (R = p_max L - P, p_max the largest
+        priority in the window, P the priority integral). With eps, for each path one of them has at most
+        (1 + eps) times its L and its R. Only `pareto` has a front: ValueError for another planner, for a query
+        that is not finite and for a wrong eps. Lets other threads run; Ctrl-C interrupts it.
+        """
     def plan(self, scene: Scene, query: Query) -> Plan:
         """
         Plans a path. Lets other threads run; Ctrl-C interrupts it. ValueError for a query that is not finite.

@@ -133,6 +133,8 @@ TEST_P(PlannerContract, TalliesThePathThatItGives) {
   for (const PenaltyWeights& weights : {PenaltyWeights{0.5, 1.0}, {1.0, 0.0}, {0.0, 2.0}}) {
     PlannerOptions options = quick_options();
     options.weights = weights;
+    // Without a length term the longest way round is the best: `pareto` shall give up soon.
+    if (weights.length == 0.0) options.pareto.memory = 0.1;
     const std::unique_ptr<Planner> planner = make(options);
     for (const Situation& situation : all_situations()) {
       SCOPED_TRACE(situation.name);

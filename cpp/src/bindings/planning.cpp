@@ -156,8 +156,7 @@ void bind_options(py::module_& m) {
                      "expansions that `sweep` may spend after its first path; 0: no limit");
   list_fields(linearised, {"alpha", "tolerance", "searches", "effort"});
 
-  auto pareto =
-      py::class_<ltp::ParetoOptions>(m, "ParetoOptions", "The exact search of `pareto`.");
+  auto pareto = py::class_<ltp::ParetoOptions>(m, "ParetoOptions", "The exact search of `pareto`.");
   pareto.def(py::init(&from_keywords<ltp::ParetoOptions>))
       .def_readwrite("memory", &ltp::ParetoOptions::memory,
                      "for its labels; needing more is OUT_OF_BUDGET [MB]")

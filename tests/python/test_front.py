@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The exact planner's front of length and priority, from Python."""
+
+import math
+
+import numpy as np
+import pytest
+
+import ltp
+
+CELL = (2.0, 2.0, 4.0)
+
+
+def puzzle(seed: int) -> tuple[ltp.Scene, ltp.Query, ltp.Raster]:
+    shape = (30, 30, 2)
+    rng = np.random.default_rng(seed)
+    blocked = rng.random(shape) < 0.2
+    blocked[2, 3, 0] = blocked[27, 25, 0] = False
+    frame = ltp.GridFrame((0, 0, 0), CELL, shape)
+    priority = ltp.Raster(rng.random(shape[:2]), cell=2.0)
+    scene = ltp.Scene(ltp.OccupancyGrid.from_array(blocked, frame), priority)
+    return scene, ltp.Query((5, 7, 2), (55, 51, 2), (0.0, 0.0)), priority
+
+
+def losses(front: ltp.Front, priority: ltp.Raster) -> np.ndarray:
+    return priority.values.max() * front.tallies[:, 0] - front.tallies[:, 1]
+
+
+def test_the_front_is_sorted_and_its_paths_have_its_tallies() -> None:
+    scene, query, priority = puzzle(1)
+    front = ltp.make_planner("pareto").front(scene, query)
+    assert front.status == ltp.PlanStatus.FOUND
+    count = len(front.paths)
+    assert front.tallies.shape == (count, 2)
+    assert count > 10
+    assert (np.diff(front.tallies[:, 0]) > 0).all()
+    assert (np.diff(losses(front, priority)) < 0).all()
+    for path, (length, integral) in zip(front.paths, front.tallies, strict=True):
+        tally = ltp.tally(path, priority)
+        assert (tally.length, tally.priority) == (length, integral)
+        np.testing.assert_array_equal(path[0], query.start)
+        np.testing.assert_array_equal(path[-1], query.goal)
+    shortest = ltp.make_planner("pareto", priority_weight=0.0).plan(scene, query)
+    assert front.tallies[0, 0] == pytest.approx(shortest.tally.length, rel=1e-12)
+    assert "FOUND" in repr(front)
+
+
+def test_the_optimum_is_on_the_front_where_the_length_weighs_enough() -> None:
+    scene, query, _ = puzzle(2)
+    planner = ltp.make_planner("pareto", length_weight=1.0, priority_weight=1.0)
+    plan, front = planner.plan(scene, query), planner.front(scene, query)
+    direct = math.dist(query.start, query.goal)
+    length, integral = front.tallies.T
+    assert (length / direct - integral / length).min() == pytest.approx(plan.penalty, abs=1e-9)
+    assert plan.bound == pytest.approx(plan.penalty, abs=1e-8)
+    assert plan.bound <= plan.penalty
+
+
+def test_a_coarse_front_keeps_its_factor() -> None:
+    scene, query, priority = puzzle(3)
+    planner = ltp.make_planner("pareto")
+    fine, coarse = planner.front(scene, query), planner.front(scene, query, eps=0.05)
+    assert 0 < len(coarse.paths) < len(fine.paths)
+    mine, theirs = losses(fine, priority), losses(coarse, priority)
+    for length, loss in zip(fine.tallies[:, 0], mine, strict=True):
+        near = (coarse.tallies[:, 0] <= 1.05 * length + 1e-9) & (theirs <= 1.05 * loss + 1e-9)
+        assert near.any()
+
+
+def test_it_answers_by_status_and_refuses_what_is_wrong() -> None:
+    scene, query, _ = puzzle(4)
+    planner = ltp.make_planner("pareto")
+    outside = planner.front(scene, ltp.Query((5, 7, 2), (500, 7, 2)))
+    assert outside.status == ltp.PlanStatus.OUTSIDE_MAP
+    assert outside.tallies.shape == (0, 2)
+    assert outside.paths == []
+    small = ltp.make_planner("pareto", pareto=ltp.ParetoOptions(memory=0.01))
+    assert small.front(scene, query).status == ltp.PlanStatus.OUT_OF_BUDGET
+    few = ltp.make_planner("pareto", max_expansions=10)
+    assert few.front(scene, query).status == ltp.PlanStatus.OUT_OF_BUDGET
+    for eps in (-0.1, math.nan, math.inf):
+        with pytest.raises(ValueError, match=r"^eps = "):
+            planner.front(scene, query, eps)
+    with pytest.raises(ValueError, match=r"^start = "):
+        planner.front(scene, ltp.Query((math.nan, 7, 2), (55, 51, 2)))
+    with pytest.raises(ValueError, match=r"^planner = 'sweep': expected 'pareto'"):
+        ltp.make_planner("sweep").front(scene, query)
+    for option, value in (("memory", 0.0), ("eps", -1.0)):
+        with pytest.raises(ValueError, match=rf"^pareto.{option} = "):
+            ltp.make_planner("pareto", pareto=ltp.ParetoOptions(**{option: value}))
