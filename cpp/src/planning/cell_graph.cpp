@@ -17,11 +17,12 @@ void CellGraph::build(const Scene& scene, const GridQuery& query, const StepCost
                       const std::vector<Cell>& cells) {
   const GridFrame& frame = scene.occupancy.frame();
   const auto index = [&](const Cell& cell) { return static_cast<std::size_t>(frame_index(cell)); };
+  for (const Cell& cell : cells_) number_[index(cell)] = kNone;  // those of the last graph
   ny_ = frame.ny();
   nz_ = frame.nz();
   costs_ = &costs;
   cells_ = cells;
-  number_.assign(static_cast<std::size_t>(frame.size()), kNone);
+  number_.resize(static_cast<std::size_t>(frame.size()), kNone);
   priority_.resize(cells.size());
   for (std::uint32_t i = 0; i < size(); ++i) {
     number_[index(cells[i])] = i;

@@ -8,7 +8,8 @@ namespace ltp {
 
 /// From the start's neighbours on, whose steps are exact; no step in space costs less than its
 /// shadow.
-void Corridor::spread_over_columns(const GridFrame& frame, const StepCosts& costs, double beta) {
+void Corridor::spread_over_columns(const GridFrame& frame, const StepCosts& costs, double beta,
+                                   double most) {
   const auto column = [&](int ix, int iy) {
     return static_cast<std::uint32_t>(ix * frame.ny() + iy);
   };
@@ -17,7 +18,7 @@ void Corridor::spread_over_columns(const GridFrame& frame, const StepCosts& cost
   open_.clear();
   const auto offer = [&](int ix, int iy, double cost) {
     double& mine = over_columns_[column(ix, iy)];
-    if (cost >= mine) return;
+    if (cost >= mine || cost > most) return;
     mine = cost;
     open_.push({cost, 0.0, column(ix, iy)});
   };
@@ -48,7 +49,7 @@ bool Corridor::find(const Scene& scene, const GridQuery& query, const StepCosts&
                     double most, const Budget& budget, SearchStats& stats,
                     std::vector<Cell>& cells) {
   const GridFrame& frame = scene.occupancy.frame();
-  spread_over_columns(frame, costs, beta);
+  spread_over_columns(frame, costs, beta, most);
   const auto heuristic = [&](const Cell& cell) {
     if (cell == query.start) return 0.0;
     // The last step to the goal's own point may be shorter than the one to its column's centre.

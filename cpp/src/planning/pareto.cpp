@@ -95,8 +95,7 @@ PlanStatus ParetoPlanner::seed(const Scene& scene, const Query& query, const Gri
   PenaltyBound bound(weights, cells.direct_length, most);
   double alpha = 1.0;
   if (!alone) {
-    alpha = std::max(first_alpha(bound, cells.direct_length, most, options_.linearised.alpha),
-                     bound.least_alpha());
+    alpha = first_alpha(bound, cells.direct_length, most, options_.linearised.alpha);
   }
   std::vector<double> tried;
   for (int i = 0; i < options_.linearised.searches; ++i) {

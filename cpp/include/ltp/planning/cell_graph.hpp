@@ -64,7 +64,7 @@ class CellGraph {
   std::vector<std::uint32_t> first_;
   std::vector<Edge> edges_;
   std::vector<StepCost> ends_;
-  std::vector<std::uint32_t> number_;  // of each cell of the levels; kNone where it has none
+  std::vector<std::uint32_t> number_;  // of each cell of the window; kNone where it has none
 };
 
 /// A cost that is a sum: `length` L + `loss` R, both factors >= 0.

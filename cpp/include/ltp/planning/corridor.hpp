@@ -28,7 +28,8 @@ class Corridor {
     bool labelled = false;
     bool closed = false;
   };
-  void spread_over_columns(const GridFrame& frame, const StepCosts& costs, double beta);
+  void spread_over_columns(const GridFrame& frame, const StepCosts& costs, double beta,
+                           double most);
 
   SearchSpace<Node> space_;
   OpenList open_;
