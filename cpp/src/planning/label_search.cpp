@@ -142,6 +142,11 @@ bool LabelSearch::is_dominated(const Label& label, const Range& range) {
     Label& other = labels_[*link];
     if ((other.passed & ~label.passed) == 0 &&
         spares(other.sum, label.sum, range.low, range.high, range.bound)) {
+      // To the front: what has dominated one is likely to dominate the next.
+      const std::uint32_t number = *link;
+      *link = other.next;
+      other.next = heads_[label.node];
+      heads_[label.node] = number;
       return true;
     }
     if ((label.passed & ~other.passed) == 0 &&
