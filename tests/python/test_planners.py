@@ -17,7 +17,7 @@ import ltp
 CELLS = [(2.0, 2.0, 4.0), (1.0, 1.0, 1.0), (3.0, 1.0, 2.0)]
 HALF_THE_STEPS = [s for s in itertools.product((-1, 0, 1), repeat=3) if s > (0, 0, 0)]
 LP_PLANNERS = {"lp-dijkstra": 0.0, "lp-a-star": 1.0, "wlp-a-star": math.sqrt(3)}
-GRID_PLANNERS = [*LP_PLANNERS, "ggwp", "additive", "sweep", "auto"]
+GRID_PLANNERS = [*LP_PLANNERS, "ggwp", "additive", "sweep", "incremental", "auto"]
 Cell = tuple[int, int, int]
 
 
@@ -133,6 +133,7 @@ def test_on_1000_random_grids_lengths_are_scipys_and_reachability_is_a_floods() 
             "ggwp": max(step_lengths) / min(step_lengths),
             "additive": 1.0,
             "sweep": 1.0,
+            "incremental": 1.0,
             "auto": 1.0,
         }
         for name, planner in planners.items():
@@ -148,7 +149,7 @@ def test_on_1000_random_grids_lengths_are_scipys_and_reachability_is_a_floods() 
             longer[name] += length > shortest * (1 + 1e-9)
     assert min(found.values()) == max(found.values()) == 1000 - sealed
     assert sealed > 100
-    exact = ("lp-dijkstra", "lp-a-star", "additive", "sweep", "auto")
+    exact = ("lp-dijkstra", "lp-a-star", "additive", "sweep", "incremental", "auto")
     assert [longer[name] for name in exact] == [0] * len(exact)
     assert longer["ggwp"] > 0
     assert longer["wlp-a-star"] > 0

@@ -9,6 +9,7 @@
 
 #include "ltp/geometry/check.hpp"
 #include "ltp/planning/bezier.hpp"
+#include "ltp/planning/incremental.hpp"
 #include "ltp/planning/length_priority.hpp"
 #include "ltp/planning/linearised.hpp"
 #include "ltp/planning/wavefront.hpp"
@@ -59,6 +60,7 @@ constexpr Entry kPlanners[] = {
     {"bezier", plain<BezierPlanner>},
     {"additive", additive},  // beyond the paper
     {"sweep", sweep},
+    {"incremental", plain<IncrementalPlanner>},
     {"auto", automatic},
 };
 

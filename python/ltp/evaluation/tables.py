@@ -22,6 +22,7 @@ _NAMES = {
     "bezier": "Bézier",
     "additive": "Additive A*",
     "sweep": "Sweep",
+    "incremental": "Incremental",
     "auto": "Auto",
 }
 
