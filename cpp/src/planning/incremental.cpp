@@ -414,18 +414,17 @@ IncrementalPlanner::Node& IncrementalPlanner::visit(const Call& call, const Cell
 
 /// Puts a cell where it belongs: into the open list, or out of it if it has nothing new.
 void IncrementalPlanner::queue(const Cell& cell, std::uint32_t place, SearchStats& stats) {
-  Node& node = nodes_[place];
+  const Node& node = nodes_[place];
   if (node.cost == node.ahead) return;  // an entry that it may have is stale now
-  node.key = node.least() + costs_.least(cell.x(), cell.y()) + moved_;
-  open_.push_back({node.key, node.least(), place});
+  const Units key = node.least() + costs_.least(cell.x(), cell.y()) + moved_;
+  open_.push_back({key, node.least(), place});
   std::push_heap(open_.begin(), open_.end(), Later());
   ++stats.pushed;
 }
 
 bool IncrementalPlanner::stale(const Entry& entry) const {
   const Node& node = nodes_[entry.node];
-  return node.epoch != epoch_ || node.cost == node.ahead || node.key != entry.key ||
-         node.least() != entry.least;
+  return node.epoch != epoch_ || node.cost == node.ahead || node.least() != entry.least;
 }
 
 void IncrementalPlanner::drop_first() {

@@ -48,7 +48,6 @@ class IncrementalPlanner final : public Planner {
   struct Node {
     Units cost = kNone;       ///< to the goal, when it was settled
     Units ahead = kNone;      ///< to the goal, through the best neighbour
-    Units key = -1;           ///< of its valid entry in the open list, if `cost` != `ahead`
     std::uint32_t epoch = 0;  ///< of another epoch: never visited
     std::uint32_t seen = 0;   ///< the call that last looked at it for changes
     std::int8_t next = -1;    ///< step to the best neighbour
