@@ -25,6 +25,16 @@ Raster::Values random_values(int nx, int ny, std::mt19937_64& random) {
   return values;
 }
 
+TEST(Raster, SharesItsIdentityWithCopiesOnly) {
+  const Raster raster(Raster::Values::Zero(2, 2), {0, 0}, 1.0);
+  const Raster twin(Raster::Values::Zero(2, 2), {0, 0}, 1.0);
+  Raster copy = raster;
+  EXPECT_EQ(copy.id(), raster.id());
+  EXPECT_NE(twin.id(), raster.id());
+  copy = twin;
+  EXPECT_EQ(copy.id(), twin.id());
+}
+
 TEST(Raster, SamplesTheCellThatHoldsThePoint) {
   Raster::Values values(2, 3);
   values << 1, 2, 3,  // x in [10, 14): y in [20, 24), [24, 28), [28, 32)

@@ -82,6 +82,13 @@ def test_fly_takes_settings_from_a_file_and_way_points_from_a_table(
     assert not (tmp_path / "o" / "flight.rrd").exists()
 
 
+def test_replan_compares_two_planners_at_every_scan(world: str) -> None:
+    said = succeed("replan", world, *SHORT, "--alpha", "1.4")
+    assert "times fewer" in said
+    assert "the same answer always; the same cost in 100 %" in " ".join(said.split())
+    assert "expected one of" in fail("replan", world, *SHORT, "--planner", "none")
+
+
 def test_evaluate_table_and_sweep(world: str, tmp_path: Path) -> None:
     out = tmp_path / "campaign"
     command = ["evaluate", world, *SHORT, "--paths", "2", "--out", out, "--processes", "1"]

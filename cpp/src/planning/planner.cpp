@@ -9,6 +9,7 @@
 
 #include "ltp/geometry/check.hpp"
 #include "ltp/planning/bezier.hpp"
+#include "ltp/planning/incremental.hpp"
 #include "ltp/planning/length_priority.hpp"
 #include "ltp/planning/linearised.hpp"
 #include "ltp/planning/pareto.hpp"
@@ -61,6 +62,7 @@ constexpr Entry kPlanners[] = {
     {"additive", additive},  // beyond the paper
     {"sweep", sweep},
     {"pareto", plain<ParetoPlanner>},
+    {"incremental", plain<IncrementalPlanner>},
     {"auto", automatic},
 };
 

@@ -23,6 +23,7 @@ _NAMES = {
     "additive": "Additive A*",
     "sweep": "Sweep",
     "pareto": "Pareto (exact)",
+    "incremental": "Incremental",
     "auto": "Auto",
 }
 
