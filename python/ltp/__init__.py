@@ -3,9 +3,12 @@
 """Local trajectory planning for autonomous UAV landing. The public names, listed by hand."""
 
 from ltp._core import (
+    AraOptions,
     BezierOptions,
+    BugOptions,
     GridFrame,
     HeightSurface,
+    HermiteOptions,
     InsertStatistics,
     Lidar,
     LidarOptions,
@@ -26,6 +29,7 @@ from ltp._core import (
     Pose,
     Query,
     Raster,
+    RiskOptions,
     Scan,
     ScanStatistics,
     Scene,
@@ -42,10 +46,13 @@ from ltp.world import World
 
 __all__ = [
     "PLANNERS",
+    "AraOptions",
     "BezierOptions",
+    "BugOptions",
     "FlightRecord",
     "GridFrame",
     "HeightSurface",
+    "HermiteOptions",
     "InsertStatistics",
     "Lidar",
     "LidarOptions",
@@ -68,6 +75,7 @@ __all__ = [
     "Pose",
     "Query",
     "Raster",
+    "RiskOptions",
     "Scan",
     "ScanStatistics",
     "Scene",

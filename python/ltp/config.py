@@ -14,13 +14,17 @@ from pathlib import Path
 from typing import Any, Self
 
 from ltp._core import (
+    AraOptions,
     BezierOptions,
+    BugOptions,
+    HermiteOptions,
     LidarOptions,
     LinearisedOptions,
     NavigationOptions,
     ObstacleMapOptions,
     Planner,
     PlannerOptions,
+    RiskOptions,
 )
 
 
@@ -59,6 +63,10 @@ class MissionConfig:
     vehicle: VehicleOptions = field(default_factory=VehicleOptions)
     bezier: BezierOptions = field(default_factory=BezierOptions)
     linearised: LinearisedOptions = field(default_factory=LinearisedOptions)
+    ara: AraOptions = field(default_factory=AraOptions)
+    risk: RiskOptions = field(default_factory=RiskOptions)
+    bug: BugOptions = field(default_factory=BugOptions)
+    hermite: HermiteOptions = field(default_factory=HermiteOptions)
     lidar: LidarOptions = field(default_factory=LidarOptions)
     mapping: ObstacleMapOptions = field(default_factory=ObstacleMapOptions)
     navigation: NavigationOptions = field(default_factory=NavigationOptions)
@@ -85,6 +93,10 @@ class MissionConfig:
             max_expansions=self.max_expansions,
             bezier=self.bezier,
             linearised=self.linearised,
+            ara=self.ara,
+            risk=self.risk,
+            bug=self.bug,
+            hermite=self.hermite,
         )
 
     def to_dict(self) -> dict[str, Any]:

@@ -22,6 +22,10 @@ _NAMES = {
     "bezier": "Bézier",
     "additive": "Additive A*",
     "sweep": "Sweep",
+    "ara-star": "ARA*",
+    "risk-a-star": "riskA*",
+    "bug": "Tangent Bug",
+    "hermite": "Hermite",
     "auto": "Auto",
 }
 

@@ -100,6 +100,31 @@ struct LinearisedOptions {
   std::int64_t effort = 0;  ///< expansions that `sweep` may spend after its first path; 0: no limit
 };
 
+/// riskA*, see `RiskAStarPlanner`.
+struct RiskOptions {
+  double length_factor = 0.1;  ///< what a metre costs beside its risk (0 to 1 a metre), > 0
+};
+
+/// ARA*, see `AraStarPlanner`.
+struct AraOptions {
+  double first_weight = 3.0;  ///< of the heuristic in the first round, 1 to 100
+  double step = 0.5;          ///< by which it falls from round to round, to 1; >= 0.01
+};
+
+/// Tangent Bug, see `BugPlanner`.
+struct BugOptions {
+  double range = 50.0;  ///< how far it sees [m], >= 0; 0: only what it touches
+};
+
+/// The optimised Hermite curve, see `HermitePlanner`.
+struct HermiteOptions {
+  int segments = 64;    ///< straight pieces that the curve is flown in, 2 to 100000
+  int starts = 5;       ///< sideways tangents tried at each end to begin with, odd and >= 1
+  double reach = 3.0;   ///< the largest of them, in direct lengths, over 0, at most 1000
+  int refined = 4;      ///< the best so many of those curves are optimised, >= 1
+  int iterations = 24;  ///< rounds of the optimisation of each, >= 0
+};
+
 /// What every planner can be told. A planner ignores what does not concern it.
 struct PlannerOptions {
   PenaltyWeights weights;
@@ -109,6 +134,10 @@ struct PlannerOptions {
   bool scaled_heuristic = false;
   BezierOptions bezier;
   LinearisedOptions linearised;
+  AraOptions ara;
+  RiskOptions risk;
+  BugOptions bug;
+  HermiteOptions hermite;
 
   void check() const;  ///< throws `std::invalid_argument` that names the field
 };
