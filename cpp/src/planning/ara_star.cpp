@@ -133,6 +133,8 @@ void AraSearch::expand(std::uint32_t index, SearchStats& stats) {
     other.cost = total;
     other.from_start = static_cast<std::int8_t>(i);
     ++stats.pushed;
+    // The field is not quite consistent where a path goes over or under the goal.
+    if (weight_ == 1.0) other.closed = 0;
     if (other.closed == round_) {
       if (!other.waiting) incons_.push_back(next_index);
     } else {

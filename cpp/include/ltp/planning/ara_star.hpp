@@ -21,7 +21,7 @@ namespace ltp {
 /// on the graph and cost of `AdditiveSearch`. Each round is an A* whose heuristic is weighted; it
 /// costs at most that weight times the least. The next, with a smaller weight, goes on from what
 /// the last one left: cells that became cheaper after they were closed wait in a list of their own
-/// (INCONS) until then.
+/// (INCONS) until then. In the last round, with weight 1, they are opened again at once.
 class AraSearch {
  public:
   /// Begins. All that is given is borrowed until the last `improve`.
