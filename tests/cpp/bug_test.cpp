@@ -142,8 +142,8 @@ TEST(Bug, SeesNoFartherThanItsRange) {
   }
 }
 
-TEST(Bug, TurnsToTheOtherWallOfACorridorOnceRoundTheFirst) {
-  // The block's nearest cell to the goal lies in a corridor one cell wide, before the outer wall.
+TEST(Bug, FindsItsWayBetweenNestedWalls) {
+  // Out of the inner walls into a corridor one cell wide, and on away from the goal.
   const Situation corridor = Drawing{}("corridor", {
                                                        "....................",
                                                        ".##################.",

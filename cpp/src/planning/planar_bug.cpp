@@ -60,7 +60,8 @@ PlanarBug::End PlanarBug::run(const Point& goal, std::vector<Point>& way) {
       go(centre(*cell));
       continue;
     }
-    if (!rounded_.empty() && rounded_[number(met.first)]) return End::GaveUp;
+    // Once round this wall: only from nearer to the goal is it worth another try.
+    if (!rounded_.empty() && reached >= rounded_[number(met.first)] - kNearer) return End::GaveUp;
     const End end = follow(choose_side(met));
     if (end != End::GaveUp) return end;
   }
@@ -158,9 +159,8 @@ std::optional<PlanarBug::Column> PlanarBug::nearer_than(double distance) const {
   std::optional<Column> best;
   double nearest = distance - kNearer;
   each_cell_in_range([&](const Column& cell) {
-    const Point point = centre(cell);
-    if (to_goal(point) >= nearest || !sees(point)) return;
-    nearest = to_goal(point);
+    if (to_goal(cell) >= nearest || !sees(cell)) return;
+    nearest = to_goal(cell);
     best = cell;
   });
   return best;
@@ -275,8 +275,9 @@ PlanarBug::End PlanarBug::follow(Trail trail) {
       return End::GaveUp;
     }
   }
-  rounded_.resize(static_cast<std::size_t>(frame_.nx()) * frame_.ny() * 4, 0);
-  for (const std::size_t face : trail.faces) rounded_[face] = 1;
+  rounded_.resize(static_cast<std::size_t>(frame_.nx()) * frame_.ny() * 4,
+                  std::numeric_limits<double>::infinity());
+  for (const std::size_t face : trail.faces) rounded_[face] = followed;
   // Back to the nearest cell: a plan need not fly the rest of the round at all.
   while (!stops.empty() && stops.back().at > nearest) stops.pop_back();
   way_->resize(stops.empty() ? way_before : stops.back().way);

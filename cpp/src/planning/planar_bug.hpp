@@ -49,7 +49,10 @@ class PlanarBug {
   bool sees(const Column& cell) const { return sees(centre(cell)); }
   Point centre(const Column& cell) const;
   double to_goal(const Point& point) const { return (goal_ - point).head<2>().norm(); }
-  double to_goal(const Column& cell) const { return to_goal(centre(cell)); }
+  /// Of the goal's cell 0: a goal on a face is as near to the centres beyond it.
+  double to_goal(const Column& cell) const {
+    return cell == goal_cell_ ? 0.0 : to_goal(centre(cell));
+  }
   std::size_t number(const Wall& wall) const;
   template <typename Visitor>
   void each_cell_in_range(Visitor&& visit) const;
@@ -78,7 +81,8 @@ class PlanarBug {
   double z_ = 0.0;  ///< of the flight [m]
   Point here_ = Point::Zero();
   std::vector<Point>* way_ = nullptr;
-  std::vector<char> rounded_;  ///< faces of walls that were followed once round
+  /// Per face of a wall that was followed once round: how near to the goal that was [m].
+  std::vector<double> rounded_;
 };
 
 }  // namespace ltp
