@@ -18,8 +18,9 @@ namespace ltp {
 /// that seems shorter), cell by cell by the rule of the hand on the wall, cutting across what it
 /// sees. It leaves as soon as it sees a cell nearer to the goal than all of the boundary that it
 /// has followed (d_reach < d_followed). Once round an obstacle it turns back to the boundary's
-/// nearest cell; another wall met from there is followed in turn, the same one ends the search.
-/// Distances at which walls are left only fall, and no wall is followed twice in a row: it ends.
+/// nearest cell and tries from there; a wall that it has been round and meets again from no nearer
+/// ends the search. It always ends: the distances at which walls are left, and at which a wall is
+/// followed again, only fall.
 ///
 /// The path lies at the height of the start, with the climb at the goal; where that fails, at the
 /// height of the goal with the climb at the start; a free straight line is flown in space. Ignores
