@@ -35,7 +35,7 @@ void AraSearch::begin(const Scene& scene, const Query& query, const GridQuery& c
   space_.begin(frame, cells.levels);
   open_.clear();
   incons_.clear();
-  field_.aim(scene, cost, query, cells);
+  field_.aim(scene, cost, query, cells, std::numeric_limits<double>::infinity());
 
   goal_ = space_.index(cells.goal);
   space_.visit(goal_);
