@@ -3,10 +3,13 @@
 """Local trajectory planning for autonomous UAV landing. The public names, listed by hand."""
 
 from ltp._core import (
+    AraOptions,
     BezierOptions,
+    BugOptions,
     Front,
     GridFrame,
     HeightSurface,
+    HermiteOptions,
     InsertStatistics,
     Lidar,
     LidarOptions,
@@ -28,6 +31,7 @@ from ltp._core import (
     Pose,
     Query,
     Raster,
+    RiskOptions,
     Scan,
     ScanStatistics,
     Scene,
@@ -44,11 +48,14 @@ from ltp.world import World
 
 __all__ = [
     "PLANNERS",
+    "AraOptions",
     "BezierOptions",
+    "BugOptions",
     "FlightRecord",
     "Front",
     "GridFrame",
     "HeightSurface",
+    "HermiteOptions",
     "InsertStatistics",
     "Lidar",
     "LidarOptions",
@@ -72,6 +79,7 @@ __all__ = [
     "Pose",
     "Query",
     "Raster",
+    "RiskOptions",
     "Scan",
     "ScanStatistics",
     "Scene",

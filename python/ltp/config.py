@@ -14,7 +14,10 @@ from pathlib import Path
 from typing import Any, Self
 
 from ltp._core import (
+    AraOptions,
     BezierOptions,
+    BugOptions,
+    HermiteOptions,
     LidarOptions,
     LinearisedOptions,
     NavigationOptions,
@@ -22,6 +25,7 @@ from ltp._core import (
     ParetoOptions,
     Planner,
     PlannerOptions,
+    RiskOptions,
 )
 
 
@@ -61,6 +65,10 @@ class MissionConfig:
     bezier: BezierOptions = field(default_factory=BezierOptions)
     linearised: LinearisedOptions = field(default_factory=LinearisedOptions)
     pareto: ParetoOptions = field(default_factory=ParetoOptions)
+    ara: AraOptions = field(default_factory=AraOptions)
+    risk: RiskOptions = field(default_factory=RiskOptions)
+    bug: BugOptions = field(default_factory=BugOptions)
+    hermite: HermiteOptions = field(default_factory=HermiteOptions)
     lidar: LidarOptions = field(default_factory=LidarOptions)
     mapping: ObstacleMapOptions = field(default_factory=ObstacleMapOptions)
     navigation: NavigationOptions = field(default_factory=NavigationOptions)
@@ -88,6 +96,10 @@ class MissionConfig:
             bezier=self.bezier,
             linearised=self.linearised,
             pareto=self.pareto,
+            ara=self.ara,
+            risk=self.risk,
+            bug=self.bug,
+            hermite=self.hermite,
         )
 
     def to_dict(self) -> dict[str, Any]:

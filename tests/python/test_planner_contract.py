@@ -6,6 +6,8 @@ import gc
 import itertools
 import math
 import threading
+from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 import pytest
@@ -17,17 +19,40 @@ import ltp
 from ltp import PlanStatus
 
 NAN, INF = math.nan, math.inf
-#: What these answer may depend on what they were asked before.
-REMEMBERING = ("additive", "sweep", "incremental", "auto")
-#: They search several times, and keep what the first searches found.
-SEARCHING_AGAIN = ("sweep", "auto")
 CELL = np.array((2.0, 2.0, 4.0))
 
 
 def make(name: str, **options: object) -> ltp.Planner:
     """A planner whose curves are few and fit into a small window."""
     bezier = ltp.BezierOptions(offsets=7, reach=8.0, segments=12)
-    return ltp.make_planner(name, bezier=bezier, **options)
+    hermite = ltp.HermiteOptions(segments=12, starts=3, refined=2, iterations=6)
+    return ltp.make_planner(name, bezier=bezier, hermite=hermite, **options)
+
+
+@dataclass(frozen=True)
+class Traits:
+    """Where the planners differ by right."""
+
+    complete: bool = True
+    anytime: bool = False  # out of budget it keeps what it has
+    remembers: bool = False  # what it answers may depend on what it was asked before
+    most: Callable[[int], int] = lambda cells: cells  # that it expands in so many cells
+
+
+SWEEP = Traits(
+    anytime=True, remembers=True, most=lambda cells: ltp.LinearisedOptions().searches * cells
+)
+TRAITS = dict.fromkeys(ltp.PLANNERS, Traits()) | {
+    "bezier": Traits(complete=False, most=lambda _: 7 * 7),
+    "additive": Traits(remembers=True),
+    "sweep": SWEEP,
+    "pareto": Traits(most=lambda cells: cells << 32),  # many labels a cell
+    "incremental": Traits(remembers=True, most=lambda cells: 3 * cells),  # repairs
+    "ara-star": Traits(anytime=True, most=lambda cells: 5 * cells),  # weights 3, 2.5, ... 1
+    "bug": Traits(complete=False, most=lambda cells: 8 * cells + 8),  # looks, in two planes
+    "hermite": Traits(complete=False, most=lambda _: 3 * 3 + 2 * 6 * 16),
+    "auto": SWEEP,
+}
 
 
 def scene_of(blocked: np.ndarray, seed: int = 0) -> ltp.Scene:
@@ -61,9 +86,11 @@ def passes_through(blocked: np.ndarray, path: np.ndarray, shrunk: float) -> bool
 
 def test_the_planners_are_those_of_the_paper_and_the_new_ones() -> None:
     assert ltp.PLANNERS[:5] == ("lp-dijkstra", "lp-a-star", "wlp-a-star", "ggwp", "bezier")
-    assert ltp.PLANNERS[5:] == ("additive", "sweep", "pareto", "auto")
+    assert ltp.PLANNERS[5:7] == ("additive", "sweep")
+    assert ltp.PLANNERS[7:] == ("ara-star", "risk-a-star", "bug", "hermite", "auto")
+    assert list(TRAITS) == list(ltp.PLANNERS)
     assert [make(name).name for name in ltp.PLANNERS] == list(ltp.PLANNERS)
-    assert [make(name).complete for name in ltp.PLANNERS] == [True] * 4 + [False] + [True] * 4
+    assert {n: make(n).complete for n in ltp.PLANNERS} == {n: t.complete for n, t in TRAITS.items()}
     with pytest.raises(ValueError, match=r"^planner = 'a-star': expected one of lp-dijkstra, "):
         ltp.make_planner("a-star")
 
@@ -128,10 +155,8 @@ def test_random_worlds(
         assert plan.penalty == pytest.approx(ltp.penalty(again, direct), rel=1e-12)
     else:
         assert plan.tally.length == 0
-    searches = ltp.LinearisedOptions().searches if name in SEARCHING_AGAIN else 1
-    if name != "pareto":  # it has many labels a cell
-        assert plan.stats.expanded <= (blocked.size * searches if planner.complete else 7 * 7)
-    twice = (make(name) if name in REMEMBERING else planner).plan(scene, query)
+    assert plan.stats.expanded <= TRAITS[name].most(blocked.size)
+    twice = (make(name) if TRAITS[name].remembers else planner).plan(scene, query)
     assert twice.path.tobytes() == plan.path.tobytes()
     assert twice.penalty == plan.penalty
 
@@ -190,14 +215,25 @@ def test_a_wrong_option_is_an_error_that_names_it(name: str) -> None:
         with pytest.raises(ValueError, match=rf"^{option} = "):
             ltp.make_planner(name, **{option: value})
     for option, value in [
-        ("offsets", 4),
-        ("reach", -1.0),
-        ("z_offsets", 0),
-        ("z_reach", NAN),
-        ("segments", 1),
+        ("bezier.offsets", 4),
+        ("bezier.reach", -1.0),
+        ("bezier.z_offsets", 0),
+        ("bezier.z_reach", NAN),
+        ("bezier.segments", 1),
+        ("ara.first_weight", 0.5),
+        ("ara.step", 0.0),
+        ("risk.length_factor", -0.1),
+        ("bug.range", NAN),
+        ("hermite.segments", 1),
+        ("hermite.starts", 2),
+        ("hermite.reach", INF),
+        ("hermite.refined", 0),
+        ("hermite.iterations", -1),
     ]:
-        with pytest.raises(ValueError, match=rf"^bezier.{option} = "):
-            ltp.make_planner(name, bezier=ltp.BezierOptions(**{option: value}))
+        group, field = option.split(".")
+        options = getattr(ltp, group.capitalize() + "Options")(**{field: value})
+        with pytest.raises(ValueError, match=rf"^{option} = "):
+            ltp.make_planner(name, **{group: options})
     with pytest.raises(TypeError, match="length_wieght"):
         ltp.make_planner(name, length_wieght=1.0)
     for option in ("length_weight", "max_expansions", "bezier"):
@@ -213,8 +249,7 @@ def test_a_budget_ends_the_search(name: str) -> None:
     needed = make(name).plan(scene, query).stats.expanded
     stopped = make(name, max_expansions=needed - 1).plan(scene, query)
     assert stopped.stats.expanded == needed - 1
-    if name in SEARCHING_AGAIN:  # it keeps what it has, and gives up only where it has nothing
-        assert stopped.status == PlanStatus.FOUND
+    if TRAITS[name].anytime and stopped.status == PlanStatus.FOUND:  # it keeps what it has
         stopped = make(name, max_expansions=3).plan(scene, query)
     assert stopped.status == PlanStatus.OUT_OF_BUDGET
     assert make(name, max_expansions=needed + 1).plan(scene, query).status != stopped.status
@@ -267,7 +302,7 @@ def test_threads_take_turns_with_a_planner(name: str) -> None:
         assert len(plans) == 20
         for plan in plans:
             assert plan.status == expected.status
-            if name in REMEMBERING:
+            if TRAITS[name].remembers:
                 continue
             assert plan.path.tobytes() == expected.path.tobytes()
             assert plan.stats.expanded == expected.stats.expanded

@@ -17,7 +17,8 @@ import ltp
 CELLS = [(2.0, 2.0, 4.0), (1.0, 1.0, 1.0), (3.0, 1.0, 2.0)]
 HALF_THE_STEPS = [s for s in itertools.product((-1, 0, 1), repeat=3) if s > (0, 0, 0)]
 LP_PLANNERS = {"lp-dijkstra": 0.0, "lp-a-star": 1.0, "wlp-a-star": math.sqrt(3)}
-GRID_PLANNERS = [*LP_PLANNERS, "ggwp", "additive", "sweep", "pareto", "auto"]
+OUR_PLANNERS = ["additive", "sweep", "pareto", "incremental", "ara-star", "auto"]
+GRID_PLANNERS = [*LP_PLANNERS, "ggwp", *OUR_PLANNERS, "risk-a-star"]
 Cell = tuple[int, int, int]
 
 
@@ -131,10 +132,9 @@ def test_on_1000_random_grids_lengths_are_scipys_and_reachability_is_a_floods() 
             "lp-a-star": 1.0,
             "wlp-a-star": math.sqrt(3),
             "ggwp": max(step_lengths) / min(step_lengths),
-            "additive": 1.0,
-            "sweep": 1.0,
-            "pareto": 1.0,
-            "auto": 1.0,
+            **dict.fromkeys(OUR_PLANNERS, 1.0),
+            # A metre costs 0.1 to 1.1.
+            "risk-a-star": 11.0,
         }
         for name, planner in planners.items():
             plan = planner.plan(scene, query)
@@ -149,7 +149,7 @@ def test_on_1000_random_grids_lengths_are_scipys_and_reachability_is_a_floods() 
             longer[name] += length > shortest * (1 + 1e-9)
     assert min(found.values()) == max(found.values()) == 1000 - sealed
     assert sealed > 100
-    exact = ("lp-dijkstra", "lp-a-star", "additive", "sweep", "pareto", "auto")
+    exact = ("lp-dijkstra", "lp-a-star", *OUR_PLANNERS)
     assert [longer[name] for name in exact] == [0] * len(exact)
     assert longer["ggwp"] > 0
     assert longer["wlp-a-star"] > 0
@@ -302,6 +302,8 @@ def test_no_planner_gets_into_200_hollow_boxes(
     rng = np.random.default_rng(6)
     planners = [ltp.make_planner(n) for n in GRID_PLANNERS]
     planners.append(ltp.make_planner("bezier", bezier=ltp.BezierOptions(offsets=5, reach=30.0)))
+    hermite = ltp.HermiteOptions(segments=16, starts=3, refined=1, iterations=6)
+    planners += [ltp.make_planner("bug"), ltp.make_planner("hermite", hermite=hermite)]
     priority = ltp.Raster(np.ones((1, 1)), outside=1.0)
     for number in range(200):
         centre = rng.uniform((-500, -500, 20), (500, 500, 100))
@@ -320,5 +322,5 @@ def test_no_planner_gets_into_200_hollow_boxes(
     # The same with a hole in the wall: then they find their way in.
     away = np.linalg.norm(points - points[len(points) // 20], axis=1)
     opened = ltp.Scene(make_grid(points[away > 9.0], centre, radius), priority)
-    for planner in planners[:-1]:
+    for planner in planners[: len(GRID_PLANNERS)]:
         assert planner.plan(opened, ltp.Query(start, goal)).status == ltp.PlanStatus.FOUND

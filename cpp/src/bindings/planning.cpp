@@ -164,6 +164,39 @@ void bind_options(py::module_& m) {
                      "Eq. (5) + W_P p_max may be this part above its optimum");
   list_fields(pareto, {"memory", "eps"});
 
+  auto ara = py::class_<ltp::AraOptions>(m, "AraOptions", "The weights of `ara-star`.");
+  ara.def(py::init(&from_keywords<ltp::AraOptions>))
+      .def_readwrite("first_weight", &ltp::AraOptions::first_weight,
+                     "of the heuristic in the first round, 1 to 100")
+      .def_readwrite("step", &ltp::AraOptions::step,
+                     "by which it falls from round to round, to 1; >= 0.01");
+  list_fields(ara, {"first_weight", "step"});
+
+  auto risk = py::class_<ltp::RiskOptions>(m, "RiskOptions", "The cost of `risk-a-star`.");
+  risk.def(py::init(&from_keywords<ltp::RiskOptions>))
+      .def_readwrite("length_factor", &ltp::RiskOptions::length_factor,
+                     "what a metre costs beside its risk (0 to 1 a metre); > 0");
+  list_fields(risk, {"length_factor"});
+
+  auto bug = py::class_<ltp::BugOptions>(m, "BugOptions", "The sensor of `bug`.");
+  bug.def(py::init(&from_keywords<ltp::BugOptions>))
+      .def_readwrite("range", &ltp::BugOptions::range,
+                     "how far it sees [m], >= 0; 0: only what it touches");
+  list_fields(bug, {"range"});
+
+  auto hermite =
+      py::class_<ltp::HermiteOptions>(m, "HermiteOptions", "The optimised curve of `hermite`.");
+  hermite.def(py::init(&from_keywords<ltp::HermiteOptions>))
+      .def_readwrite("segments", &ltp::HermiteOptions::segments, "straight pieces of the curve")
+      .def_readwrite("starts", &ltp::HermiteOptions::starts,
+                     "sideways tangents tried at each end to begin with; odd")
+      .def_readwrite("reach", &ltp::HermiteOptions::reach, "the largest of them, in direct lengths")
+      .def_readwrite("refined", &ltp::HermiteOptions::refined,
+                     "the best so many of those curves are optimised")
+      .def_readwrite("iterations", &ltp::HermiteOptions::iterations,
+                     "rounds of the optimisation of each");
+  list_fields(hermite, {"segments", "starts", "reach", "refined", "iterations"});
+
   auto options =
       py::class_<ltp::PlannerOptions>(m, "PlannerOptions", "What every planner can be told.");
   options.def(py::init(&from_keywords<ltp::PlannerOptions>))
@@ -181,9 +214,13 @@ void bind_options(py::module_& m) {
                      "multiply Eq. (9) by W_L, which it lacks as printed")
       .def_readwrite("bezier", &ltp::PlannerOptions::bezier)
       .def_readwrite("linearised", &ltp::PlannerOptions::linearised)
-      .def_readwrite("pareto", &ltp::PlannerOptions::pareto);
+      .def_readwrite("pareto", &ltp::PlannerOptions::pareto)
+      .def_readwrite("ara", &ltp::PlannerOptions::ara)
+      .def_readwrite("risk", &ltp::PlannerOptions::risk)
+      .def_readwrite("bug", &ltp::PlannerOptions::bug)
+      .def_readwrite("hermite", &ltp::PlannerOptions::hermite);
   list_fields(options, {"length_weight", "priority_weight", "max_expansions", "scaled_heuristic",
-                        "bezier", "linearised", "pareto"});
+                        "bezier", "linearised", "pareto", "ara", "risk", "bug", "hermite"});
 }
 
 /// The cells that a flood over faces reaches from a point, bool (nx, ny, nz).

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "ltp/planning/curve.hpp"
 #include "ltp/planning/stopwatch.hpp"
 
 namespace ltp {
@@ -32,31 +33,17 @@ BezierPlanner::BezierPlanner(const PlannerOptions& options) : options_(options) 
 
 void BezierPlanner::draw(const Query& query, double first, double second, double height) {
   const Point direct = query.goal - query.start;
-  const Eigen::Vector2d plane = direct.head<2>();
-  // Straight up there is no sideways; east is as good as any.
-  const Eigen::Vector2d side = plane.norm() > 0.0
-                                   ? Eigen::Vector2d(-plane.y(), plane.x()).normalized()
-                                   : Eigen::Vector2d(1, 0);
+  const Point side = sideways(direct);
   const Point up(0.0, 0.0, height);
   // All relative to P0, whose weight is therefore not needed.
   Eigen::Matrix3d control;
-  control.row(0) = (direct / 3.0 + first * Point(side.x(), side.y(), 0.0) + up).transpose();
-  control.row(1) =
-      (direct * (2.0 / 3.0) + second * Point(side.x(), side.y(), 0.0) + up).transpose();
+  control.row(0) = (direct / 3.0 + first * side + up).transpose();
+  control.row(1) = (direct * (2.0 / 3.0) + second * side + up).transpose();
   control.row(2) = direct.transpose();
   curve_.noalias() = basis_ * control;
   curve_.rowwise() += query.start.transpose();
   curve_.row(0) = query.start.transpose();
   curve_.row(curve_.rows() - 1) = query.goal.transpose();
-}
-
-bool BezierPlanner::inside(const GridFrame& frame, const LevelRange& levels) const {
-  for (Eigen::Index i = 0; i < curve_.rows(); ++i) {
-    const Cell cell = frame.cell_of(curve_.row(i).transpose());
-    if (!frame.contains(cell) || cell.z() < levels.lowest || cell.z() > levels.highest)
-      return false;
-  }
-  return true;
 }
 
 Plan BezierPlanner::plan(const Scene& scene, const Query& query) {
@@ -89,7 +76,7 @@ Plan BezierPlanner::plan(const Scene& scene, const Query& query) {
           draw(query, offset(i, offsets, options.reach), offset(j, offsets, options.reach),
                offset(k, z_offsets, options.z_reach));
           const double cost = penalty(tally(curve_, scene.priority), goal_priority);  // Eq. (7)
-          if (cost >= best || !inside(scene.occupancy.frame(), cells.levels) ||
+          if (cost >= best || !inside(scene.occupancy.frame(), cells.levels, curve_) ||
               scene.occupancy.first_blocked(curve_)) {
             continue;
           }

@@ -8,11 +8,15 @@
 #include <string>
 
 #include "ltp/geometry/check.hpp"
+#include "ltp/planning/ara_star.hpp"
 #include "ltp/planning/bezier.hpp"
+#include "ltp/planning/bug.hpp"
+#include "ltp/planning/hermite.hpp"
 #include "ltp/planning/incremental.hpp"
 #include "ltp/planning/length_priority.hpp"
 #include "ltp/planning/linearised.hpp"
 #include "ltp/planning/pareto.hpp"
+#include "ltp/planning/risk_a_star.hpp"
 #include "ltp/planning/wavefront.hpp"
 
 namespace ltp {
@@ -63,11 +67,19 @@ constexpr Entry kPlanners[] = {
     {"sweep", sweep},
     {"pareto", plain<ParetoPlanner>},
     {"incremental", plain<IncrementalPlanner>},
+    {"ara-star", plain<AraStarPlanner>},  // the paper's neighbours
+    {"risk-a-star", plain<RiskAStarPlanner>},
+    {"bug", plain<BugPlanner>},
+    {"hermite", plain<HermitePlanner>},
     {"auto", automatic},
 };
 
 void odd(const std::string& name, int value) {
   if (value < 1 || value % 2 == 0) check::fail(name, value, "an odd number >= 1");
+}
+
+void pieces(const std::string& name, int value) {
+  if (value < 2 || value > 100000) check::fail(name, value, "a number from 2 to 100000");
 }
 
 }  // namespace
@@ -99,9 +111,7 @@ void PlannerOptions::check() const {
   odd("bezier.z_offsets", bezier.z_offsets);
   check::positive("bezier.reach", bezier.reach);
   check::not_negative("bezier.z_reach", bezier.z_reach);
-  if (bezier.segments < 2 || bezier.segments > 100000) {
-    check::fail("bezier.segments", bezier.segments, "a number from 2 to 100000");
-  }
+  pieces("bezier.segments", bezier.segments);
   check::not_negative("linearised.alpha", linearised.alpha);
   check::not_negative("linearised.tolerance", linearised.tolerance);
   if (linearised.searches < 1) {
@@ -112,6 +122,23 @@ void PlannerOptions::check() const {
   }
   check::positive("pareto.memory", pareto.memory);
   check::not_negative("pareto.eps", pareto.eps);
+  if (!(ara.first_weight >= 1.0 && ara.first_weight <= 100.0)) {
+    check::fail("ara.first_weight", ara.first_weight, "a number from 1 to 100");
+  }
+  if (!(ara.step >= 0.01) || !std::isfinite(ara.step)) {
+    check::fail("ara.step", ara.step, "a finite number >= 0.01");
+  }
+  check::positive("risk.length_factor", risk.length_factor);
+  check::not_negative("bug.range", bug.range);
+  pieces("hermite.segments", hermite.segments);
+  odd("hermite.starts", hermite.starts);
+  if (!(hermite.reach > 0.0 && hermite.reach <= 1000.0)) {
+    check::fail("hermite.reach", hermite.reach, "a number over 0, at most 1000");
+  }
+  if (hermite.refined < 1) check::fail("hermite.refined", hermite.refined, "a number >= 1");
+  if (hermite.iterations < 0) {
+    check::fail("hermite.iterations", hermite.iterations, "a number >= 0");
+  }
 }
 
 LevelRange levels_of(const GridFrame& frame, const Query& query) {

@@ -24,6 +24,10 @@ _NAMES = {
     "sweep": "Sweep",
     "pareto": "Pareto (exact)",
     "incremental": "Incremental",
+    "ara-star": "ARA*",
+    "risk-a-star": "riskA*",
+    "bug": "Tangent Bug",
+    "hermite": "Hermite",
     "auto": "Auto",
 }
 

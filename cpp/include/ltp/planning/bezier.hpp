@@ -26,7 +26,6 @@ class BezierPlanner final : public Planner {
   /// Fills `curve_` with the curve whose control points lie `first`, `second` to the side and
   /// `height` up.
   void draw(const Query& query, double first, double second, double height);
-  bool inside(const GridFrame& frame, const LevelRange& levels) const;
 
   PlannerOptions options_;
   Path basis_;  ///< per sample the Bernstein weights of P1 and P2, and the third of P3; P0 has the

@@ -21,6 +21,8 @@ class OpenList {
  public:
   void clear() { entries_.clear(); }
   bool empty() const { return entries_.empty(); }
+  const OpenEntry& top() const { return entries_.front(); }
+  const std::vector<OpenEntry>& entries() const { return entries_; }  ///< stale ones too
   void push(const OpenEntry& entry) {
     entries_.push_back(entry);
     std::push_heap(entries_.begin(), entries_.end(), later);

@@ -106,6 +106,31 @@ struct ParetoOptions {
   double eps = 0.0;       ///< Eq. (5) + W_P p_max may be this part above its optimum, >= 0
 };
 
+/// riskA*, see `RiskAStarPlanner`.
+struct RiskOptions {
+  double length_factor = 0.1;  ///< what a metre costs beside its risk (0 to 1 a metre), > 0
+};
+
+/// ARA*, see `AraStarPlanner`.
+struct AraOptions {
+  double first_weight = 3.0;  ///< of the heuristic in the first round, 1 to 100
+  double step = 0.5;          ///< by which it falls from round to round, to 1; >= 0.01
+};
+
+/// Tangent Bug, see `BugPlanner`.
+struct BugOptions {
+  double range = 50.0;  ///< how far it sees [m], >= 0; 0: only what it touches
+};
+
+/// The optimised Hermite curve, see `HermitePlanner`.
+struct HermiteOptions {
+  int segments = 64;    ///< straight pieces that the curve is flown in, 2 to 100000
+  int starts = 5;       ///< sideways tangents tried at each end to begin with, odd and >= 1
+  double reach = 3.0;   ///< the largest of them, in direct lengths, over 0, at most 1000
+  int refined = 4;      ///< the best so many of those curves are optimised, >= 1
+  int iterations = 24;  ///< rounds of the optimisation of each, >= 0
+};
+
 /// What every planner can be told. A planner ignores what does not concern it.
 struct PlannerOptions {
   PenaltyWeights weights;
@@ -116,6 +141,10 @@ struct PlannerOptions {
   BezierOptions bezier;
   LinearisedOptions linearised;
   ParetoOptions pareto;
+  AraOptions ara;
+  RiskOptions risk;
+  BugOptions bug;
+  HermiteOptions hermite;
 
   void check() const;  ///< throws `std::invalid_argument` that names the field
 };
@@ -123,8 +152,8 @@ struct PlannerOptions {
 /// The planners' names, in the order of the paper's tables.
 const std::vector<std::string_view>& planner_names();
 
-/// Makes a planner by its name; `auto` is what a UAV should fly. Throws `std::invalid_argument` for an unknown one, listing those
-/// known.
+/// Makes a planner by its name; `auto` is what a UAV should fly. Throws `std::invalid_argument` for
+/// an unknown one, listing those known.
 std::unique_ptr<Planner> make_planner(std::string_view name = "auto",
                                       const PlannerOptions& options = {});
 
