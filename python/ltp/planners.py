@@ -16,8 +16,8 @@ def make_planner(name: str = "auto", **options: Any) -> Planner:
     Args:
         name: one of `PLANNERS`; docs/planners.md says which is for what.
         options: fields of `ltp.PlannerOptions`: length_weight (W_L of Eq. 5, default 0.5),
-            priority_weight (W_P, default 1.0), max_expansions, scaled_heuristic, bezier,
-            linearised.
+            priority_weight (W_P, default 1.0), max_expansions, scaled_heuristic, refine (free the
+            path from the grid's directions), bezier, linearised.
 
     Raises:
         ValueError: an unknown name (those known are listed), or a value out of range.
