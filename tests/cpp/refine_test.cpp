@@ -74,9 +74,9 @@ bool compare(Planner& plain, Planner& refined, const Situation& situation, doubl
   if (old.status != PlanStatus::Found || plan.status != PlanStatus::Found) return false;
   EXPECT_LE(plan.penalty, old.penalty + 1e-12);
   EXPECT_LE(plan.tally.length, old.tally.length * (1.0 + 1e-12));
-  const PathTally again = tally(plan.path, situation.priority);
-  EXPECT_EQ(plan.tally.length, again.length);
-  EXPECT_EQ(plan.tally.priority, again.priority);
+  const PathTally walked = tally(plan.path, situation.priority);
+  EXPECT_EQ(plan.tally.length, walked.length);
+  EXPECT_EQ(plan.tally.priority, walked.priority);
   EXPECT_LE(plan.path.rows(), old.path.rows());
   EXPECT_GE(plan.path.rows(), 2);
   EXPECT_EQ(plan.path.row(0).transpose(), query.start);

@@ -20,12 +20,18 @@ namespace ltp {
 ///      begin with one cell and are halved;
 ///   2. of all subsequences of the vertices that see each other, the best one for Eq. (5)
 ///      linearised at the path is taken (a shortest path through an acyclic graph); then 1. again.
-/// New pieces keep a part of a cell away from blocked cells (`kClearance`); where an end of them is
-/// nearer, the distance tapers off towards it. The outcome is a local optimum near the given path.
+/// What falls is Eq. (5) with the priority beside the path, a part of a cell (`kBeside`) to the
+/// left and to the right: nobody flies a line exactly, and the path that is best on paper runs
+/// along the very edge of good ground. Eq. (5) itself ends no larger than it was. New pieces keep a
+/// part of a cell away from blocked cells (`kClearance`); where an end of them is nearer, the
+/// distance tapers off towards it. The outcome is a local optimum near the given path.
 class Refiner {
  public:
   /// What new vertices and pieces keep from blocked cells, along each axis [cells].
   static constexpr double kClearance = 0.1;
+
+  /// How far beside the path the priority is looked at [cells].
+  static constexpr double kBeside = 0.25;
 
   explicit Refiner(const PenaltyWeights& weights);
 
@@ -41,16 +47,24 @@ class Refiner {
     Point at;
     double clearance;  ///< [cells]
   };
-  /// The straight piece from a vertex to the next one.
+  /// The straight piece from a vertex to the next one; or the sum over several.
   struct Piece {
-    double length;
-    double priority;
+    double length = 0.0;
+    double priority = 0.0;  ///< its integral
+    double beside = 0.0;    ///< the mean of its integrals on both sides
+
+    Piece operator+(const Piece& o) const {
+      return {length + o.length, priority + o.priority, beside + o.beside};
+    }
+    Piece operator-(const Piece& o) const {
+      return {length - o.length, priority - o.priority, beside - o.beside};
+    }
   };
 
   bool load(const Sight& sight, const Path& path);
   void relax(const Sight& sight);
   bool relax(const Sight& sight, std::size_t vertex, double step);
-  bool shortcut(const Sight& sight, const Raster& priority);
+  bool shortcut(const Sight& sight, double most_priority);
   bool drop(const Sight& sight, std::size_t vertex);
   bool move(const Sight& sight, std::size_t vertex, const Point& to);
   bool cut(const Sight& sight, std::size_t vertex, double share);
@@ -58,28 +72,36 @@ class Refiner {
              const Path& path) const;
 
   Piece measure(const Sight& sight, const Point& a, const Point& b) const;
-  double penalty(const PathTally& tally) const {
-    return per_metre_ * tally.length - weights_.priority * tally.mean_priority();
+  double priority(const Sight& sight, const Point& a, const Point& b) const;
+  double penalty(double length, double priority) const {
+    return per_metre_ * length - (length > 0.0 ? weights_.priority * priority / length : 0.0);
   }
-  /// Whether a path is better than the present one by so much of Eq. (5).
-  bool better(const PathTally& tally, double gain) const {
-    return tally.length <= longest_ && penalty(tally) < penalty_ - gain;
+  /// Whether a path is better than the present one by so much of Eq. (5), judged beside it ...
+  bool better(const Piece& path, double gain) const {
+    return path.length <= longest_ && penalty(path.length, path.beside) < penalty_ - gain;
   }
-  void take(const PathTally& tally);
+  /// ... and no worse than the given one. Asked only where all else is well: three integrals tell
+  /// this one, two the other.
+  bool allowed(const Piece& path) const {
+    return penalty(path.length, path.priority) <= most_penalty_;
+  }
+  void take(const Piece& path);
 
   PenaltyWeights weights_;
   double per_metre_ = 0.0;  ///< W_L / L_direct
   Point cell_ = Point::Ones();
   bool flat_ = false;  ///< all vertices share one altitude
+  // The given path's, which the refined one must not exceed.
   double longest_ = 0.0;
+  double most_penalty_ = 0.0;
   std::size_t most_vertices_ = 0;
   std::int64_t tries_ = 0;  ///< left
 
   // The present path.
   std::vector<Vertex> vertices_;
   std::vector<Piece> pieces_;
-  PathTally tally_;
-  double penalty_ = 0.0;
+  Piece sum_;
+  double penalty_ = 0.0;  ///< Eq. (5) with the priority beside it
 
   // Of `shortcut`, by vertex.
   std::vector<double> costs_;
