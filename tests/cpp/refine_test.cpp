@@ -63,11 +63,16 @@ Situation town(std::uint64_t seed, bool planar) {
 }
 
 /// Plans with and without refinement; checks what refinement promises. Whether a path was found.
-bool compare(Planner& plain, Planner& refined, const Situation& situation, double& gain) {
-  SCOPED_TRACE(situation.name + ", " + std::string(plain.name()));
+/// Each by a planner of its own: some begin where their last plan ended.
+bool compare(std::string_view name, PlannerOptions options, const Situation& situation,
+             double& gain) {
+  SCOPED_TRACE(situation.name + ", " + std::string(name));
+  const auto plain = make_planner(name, options);
+  options.refine = true;
+  const auto refined = make_planner(name, options);
   const Query& query = situation.query;
-  const Plan old = plain.plan(situation.scene(), query);
-  const Plan plan = refined.plan(situation.scene(), query);
+  const Plan old = plain->plan(situation.scene(), query);
+  const Plan plan = refined->plan(situation.scene(), query);
   EXPECT_EQ(to_string(plan.status), to_string(old.status));
   EXPECT_EQ(plan.bound, old.bound);
   EXPECT_EQ(plan.stats.expanded, old.stats.expanded);
@@ -90,10 +95,10 @@ bool compare(Planner& plain, Planner& refined, const Situation& situation, doubl
     EXPECT_LE(cell.z(), levels.highest);
   }
   // A path through centres keeps its distance; a curve may have touched a face before.
-  const bool clear = situation.centred && plain.complete();
+  const bool clear = situation.centred && plain->complete();
   const double margin = (clear ? 0.9 * Refiner::kClearance : -1e-9) * frame.cell().minCoeff();
   EXPECT_FALSE(test::meets_blocked(situation.grid, plan.path, margin)) << plan.path;
-  const Plan again = refined.plan(situation.scene(), query);
+  const Plan again = make_planner(name, options)->plan(situation.scene(), query);
   EXPECT_EQ(again.path, plan.path);
   EXPECT_EQ(again.penalty, plan.penalty);
   gain += old.penalty - plan.penalty;
@@ -114,10 +119,10 @@ TEST_P(Refinement, IsNeverWorseAndNeverTouchesAnything) {
     EXPECT_EQ(refined->name(), plain->name());
     EXPECT_EQ(refined->complete(), plain->complete());
     for (const Situation& situation : situations) {
-      found += compare(*plain, *refined, situation, gain);
+      found += compare(GetParam(), quick_options(weights), situation, gain);
     }
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
-      found += compare(*plain, *refined, town(seed, seed % 2 == 0), gain);
+      found += compare(GetParam(), quick_options(weights), town(seed, seed % 2 == 0), gain);
     }
   }
   EXPECT_GT(found, 200);
