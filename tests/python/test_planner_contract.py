@@ -132,7 +132,7 @@ def test_random_worlds(
         assert plan.tally.length == 0
     searches = ltp.LinearisedOptions().searches if name in SEARCHING_AGAIN else 1
     assert plan.stats.expanded <= (blocked.size * searches if planner.complete else 7 * 7)
-    twice = (make(name) if name in REMEMBERING else planner).plan(scene, query)
+    twice = (make(name, refine=refine) if name in REMEMBERING else planner).plan(scene, query)
     assert twice.path.tobytes() == plan.path.tobytes()
     assert twice.penalty == plan.penalty
 
