@@ -778,7 +778,7 @@ class Plan:
     @property
     def bound(self) -> float | None:
         """
-        no path has a smaller penalty; None without a proof
+        no path through cell centres has a smaller penalty (a refined one may); None without a proof
         """
     @property
     def path(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
@@ -978,6 +978,14 @@ class PlannerOptions:
         """
     @priority_weight.setter
     def priority_weight(self, arg1: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def refine(self) -> bool:
+        """
+        free the path from the grid's directions; never a larger penalty
+        """
+    @refine.setter
+    def refine(self, arg0: bool) -> None:
         ...
     @property
     def scaled_heuristic(self) -> bool:

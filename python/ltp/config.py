@@ -55,6 +55,7 @@ class MissionConfig:
     priority_weight: float = 1.0  # W_P of Eq. 5
     scaled_heuristic: bool = False  # multiply Eq. 9 by W_L, which it lacks as printed
     max_expansions: int = 0  # per plan; 0: no limit
+    refine: bool = False  # free every path from the grid's directions; never a larger Eq. 5
     priority_map: str = "binary"  # "binary" or "lpf"
     landable: str = "wide"  # preset of the classes that may be landed on
     fov_deg: float = 53.0  # of the look-down camera [deg]
@@ -93,6 +94,7 @@ class MissionConfig:
             priority_weight=self.priority_weight,
             scaled_heuristic=self.scaled_heuristic,
             max_expansions=self.max_expansions,
+            refine=self.refine,
             bezier=self.bezier,
             linearised=self.linearised,
             pareto=self.pareto,

@@ -16,8 +16,9 @@ def make_planner(name: str = "auto", **options: Any) -> Planner:
     Args:
         name: one of `PLANNERS`; docs/planners.md says which is for what.
         options: fields of `ltp.PlannerOptions`: length_weight (W_L of Eq. 5, default 0.5),
-            priority_weight (W_P, default 1.0), max_expansions, scaled_heuristic, bezier,
-            linearised, pareto, ara, risk, bug, hermite.
+            priority_weight (W_P, default 1.0), max_expansions, scaled_heuristic, refine (free the
+            path from the grid's directions), and those of single planners: bezier, linearised,
+            pareto, ara, risk, bug, hermite.
 
     Raises:
         ValueError: an unknown name (those known are listed), or a value out of range.

@@ -34,6 +34,7 @@ from ltp.evaluation.variants import (
     rows_of,
     sweep,
     unique,
+    with_refined,
 )
 from ltp.evaluation.workers import SoloCrew
 from ltp.planners import PLANNERS
@@ -357,6 +358,16 @@ def test_rows_survive_the_csv_exactly(
         assert read_rows(path) == [line, row()]
 
 
+def test_a_csv_from_before_refinement_was_flown_without(tmp_path: Path) -> None:
+    path = tmp_path / "flights.csv"
+    write_rows(path, [row(), row(refine=True)])
+    table = [line.split(",") for line in path.read_text().splitlines()]
+    column = table[0].index("refine")
+    assert [line[column] for line in table[1:]] == ["no", "yes"]
+    path.write_text("".join(",".join(x[:column] + x[column + 1 :]) + "\n" for x in table[:2]))
+    assert read_rows(path) == [row()]
+
+
 @pytest.mark.parametrize(
     ("old", "new", "complaint"),
     [
@@ -384,6 +395,9 @@ def test_the_rows_of_the_papers_tables() -> None:
     assert [at_ratio(ratio).ratio for ratio in SWEEP_RATIOS] == list(SWEEP_RATIOS)
     assert len(unique([*TABLES, *sweep()])) == 10 + 2 * len(SWEEP_RATIOS) - 3
     assert rows_of("ggwp") == [TABLE_I[6]]
+    twins = with_refined(TABLE_II)
+    assert twins[::2] == list(TABLE_II) and all(variant.refine for variant in twins[1::2])
+    assert twins[1] == TABLE_II[0].refined != TABLE_II[0]
     assert {v.priority_map for v in rows_of("bezier")} == {"binary", "lpf"}
 
 

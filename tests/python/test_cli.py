@@ -97,12 +97,12 @@ def test_evaluate_table_and_sweep(world: str, tmp_path: Path) -> None:
     rows = read_rows(out / "flights.csv")
     variants = {r.variant for r in rows}
     assert variants == {
-        ("lp-dijkstra", 1.0, 0.0, "binary"),
-        ("lp-dijkstra", 0.5, 1.0, "binary"),
-        ("lp-dijkstra", 1.0, 0.0, "lpf"),
-        ("lp-dijkstra", 0.5, 1.0, "lpf"),
-        ("bezier", 1.0, 0.0, "binary"),
-        ("bezier", 0.5, 1.0, "binary"),
+        ("lp-dijkstra", 1.0, 0.0, "binary", False),
+        ("lp-dijkstra", 0.5, 1.0, "binary", False),
+        ("lp-dijkstra", 1.0, 0.0, "lpf", False),
+        ("lp-dijkstra", 0.5, 1.0, "lpf", False),
+        ("bezier", 1.0, 0.0, "binary", False),
+        ("bezier", 0.5, 1.0, "binary", False),
     }
     assert len(rows) == 12
     assert "2 through buildings; 6 variants" in said and "Table I" in said
@@ -121,6 +121,17 @@ def test_evaluate_table_and_sweep(world: str, tmp_path: Path) -> None:
     assert "was flown over town, not over built-in city" in fail(
         "figure", "sweep", out, "city", "--out", tmp_path / "no.png"
     )
+
+
+def test_evaluate_flies_with_and_without_refinement(world: str, tmp_path: Path) -> None:
+    out = tmp_path / "campaign"
+    command = ["evaluate", world, *SHORT, "--paths", "2", "--out", out, "--processes", "1"]
+    said = succeed(*command, "--rows", "1", "--planners", "ggwp", "--refine")
+    rows = read_rows(out / "flights.csv")
+    assert [row.refine for row in rows] == [False, False, True, True]
+    assert sum(row.length for row in rows[2:]) < sum(row.length for row in rows[:2])
+    assert "GGWP, refined" in said
+    assert "| GGWP, refined | 1 | 0 |" in (out / "tables.md").read_text()
 
 
 @pytest.mark.parametrize("kind", ["paths", "sensing", "scenarios", "summary"])

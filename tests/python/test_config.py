@@ -24,6 +24,7 @@ def test_toml_round_trip_keeps_every_setting() -> None:
     config.vehicle = VehicleOptions(speed=5.0)
     config.lidar.pattern.rows = 16
     config.lidar.drop_out = 0.125
+    config.refine = True
     config.mapping.inflation_radius = 2.5
     config.mapping.dims = [100, 120, 20]
     config.navigation.band = (4.0, math.inf)

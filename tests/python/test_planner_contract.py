@@ -103,6 +103,7 @@ def test_the_planners_are_those_of_the_paper_and_the_new_ones() -> None:
     where=st.tuples(*[st.sampled_from([0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 0.999999])] * 6),
     band=st.sampled_from([(INF, INF), (0.0, 0.0), (0.0, 4.0), (5.0, INF)]),
     seed=st.integers(0, 2**32 - 1),
+    refine=st.booleans(),
 )
 def test_random_worlds(
     name: str,
@@ -111,12 +112,13 @@ def test_random_worlds(
     where: tuple[float, ...],
     band: tuple[float, float],
     seed: int,
+    refine: bool,
 ) -> None:
     blocked = np.random.default_rng(seed).random(shape) < density
     start, goal = (np.array(w) * shape * CELL for w in (where[:3], where[3:]))
     first, last = (tuple(np.floor(p / CELL).astype(int)) for p in (start, goal))
     scene, query = scene_of(blocked, seed), ltp.Query(start, goal, band)
-    planner = make(name)
+    planner = make(name, refine=refine)
     plan = planner.plan(scene, query)
 
     low, high = sorted((start[2], goal[2]))
@@ -156,7 +158,7 @@ def test_random_worlds(
     else:
         assert plan.tally.length == 0
     assert plan.stats.expanded <= TRAITS[name].most(blocked.size)
-    twice = (make(name) if TRAITS[name].remembers else planner).plan(scene, query)
+    twice = (make(name, refine=refine) if TRAITS[name].remembers else planner).plan(scene, query)
     assert twice.path.tobytes() == plan.path.tobytes()
     assert twice.penalty == plan.penalty
 

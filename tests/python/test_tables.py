@@ -33,6 +33,7 @@ def flights(variant: Variant, priorities: list[float], **changes: object) -> lis
         "length_weight": variant.length_weight,
         "priority_weight": variant.priority_weight,
         "priority_map": variant.priority_map,
+        "refine": variant.refine,
     }
     return [
         row(key=f"{variant}{i}", scenario=i, mean_priority=value, **(kind | changes))
@@ -106,6 +107,20 @@ def test_rows_find_their_tables() -> None:
     assert table_variants(flights(steep, [0.5])) == {
         "Not in the paper's tables: low-pass priority map": [steep]
     }
+
+
+def test_refined_rows_follow_the_plain_ones() -> None:
+    ggwp, bezier = TABLE_I[6], Variant("bezier", 0.5, 1.0)
+    flown = [ggwp.refined, bezier, bezier.refined, DIJKSTRA, ggwp]
+    rows = [r for variant in flown for r in flights(variant, [0.5, 0.6])]
+    assert list(table_variants(rows).values()) == [
+        [DIJKSTRA, ggwp, ggwp.refined],
+        [bezier, bezier.refined],
+    ]
+    summary = summarise(ggwp.refined, rows)
+    assert summary.flights == 2 and summary.paper is None
+    assert "| GGWP, refined | 1 | 0 |" in markdown_table([summary])
+    assert [line["refine"] for line in csv.DictReader(io.StringIO(csv_table([summary])))] == ["yes"]
 
 
 def test_the_csv_has_the_same_numbers_unrounded() -> None:

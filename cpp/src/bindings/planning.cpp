@@ -108,7 +108,8 @@ void bind_values(py::module_& m) {
       .def_readonly("tally", &ltp::Plan::tally, "length and priority integral of the path")
       .def_readonly("penalty", &ltp::Plan::penalty, "Eq. (5); inf unless FOUND")
       .def_readonly("bound", &ltp::Plan::bound,
-                    "no path has a smaller penalty; None without a proof")
+                    "no path through cell centres has a smaller penalty (a refined one may); None "
+                    "without a proof")
       .def_readonly("stats", &ltp::Plan::stats);
   list_fields(plan, {"status", "tally", "penalty", "bound", "stats"});
 
@@ -212,6 +213,8 @@ void bind_options(py::module_& m) {
                      "give up (OUT_OF_BUDGET) after so many; 0: no limit")
       .def_readwrite("scaled_heuristic", &ltp::PlannerOptions::scaled_heuristic,
                      "multiply Eq. (9) by W_L, which it lacks as printed")
+      .def_readwrite("refine", &ltp::PlannerOptions::refine,
+                     "free the path from the grid's directions; never a larger penalty")
       .def_readwrite("bezier", &ltp::PlannerOptions::bezier)
       .def_readwrite("linearised", &ltp::PlannerOptions::linearised)
       .def_readwrite("pareto", &ltp::PlannerOptions::pareto)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "ltp/geometry/check.hpp"
 #include "ltp/planning/ara_star.hpp"
@@ -16,6 +17,7 @@
 #include "ltp/planning/length_priority.hpp"
 #include "ltp/planning/linearised.hpp"
 #include "ltp/planning/pareto.hpp"
+#include "ltp/planning/refine.hpp"
 #include "ltp/planning/risk_a_star.hpp"
 #include "ltp/planning/wavefront.hpp"
 
@@ -165,7 +167,11 @@ const std::vector<std::string_view>& planner_names() {
 std::unique_ptr<Planner> make_planner(std::string_view name, const PlannerOptions& options) {
   std::string known;
   for (const Entry& entry : kPlanners) {
-    if (entry.name == name) return entry.make(name, options);
+    if (entry.name == name) {
+      std::unique_ptr<Planner> planner = entry.make(name, options);
+      if (!options.refine) return planner;
+      return std::make_unique<RefinedPlanner>(std::move(planner), options.weights);
+    }
     known += (known.empty() ? "" : ", ") + std::string(entry.name);
   }
   check::fail("planner", "'" + std::string(name) + "'", ("one of " + known).c_str());

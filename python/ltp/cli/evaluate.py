@@ -68,6 +68,10 @@ def evaluate(
             "between, or `default` for 0 ... 20."
         ),
     ] = "",
+    refine: Annotated[
+        bool,
+        typer.Option("--refine", help="Fly each of these with refined paths too."),
+    ] = False,
     processes: Annotated[int, typer.Option(help="To fly in; 0: one per processor.")] = 0,
     out: Annotated[
         Path, typer.Option(help="Folder of the campaign; if it holds one, it is gone on with.")
@@ -87,7 +91,7 @@ def evaluate(
 
     from .progress import CampaignProgress
 
-    variants = _variants(rows, planners, ratios)
+    variants = _variants(rows, planners, ratios, refine)
     base = open_config(config)
     place = open_world(world)
     options = scenario_options(
@@ -201,8 +205,16 @@ def _csv(rows: Sequence["FlightRow"]) -> str:
     return csv_table([summarise(variant, rows) for variant in variants])
 
 
-def _variants(rows: str, planners: str, ratios: str) -> list["Variant"]:
-    from ltp.evaluation.variants import SWEEP_RATIOS, TABLE_I, TABLE_II, rows_of, sweep, unique
+def _variants(rows: str, planners: str, ratios: str, refine: bool) -> list["Variant"]:
+    from ltp.evaluation.variants import (
+        SWEEP_RATIOS,
+        TABLE_I,
+        TABLE_II,
+        rows_of,
+        sweep,
+        unique,
+        with_refined,
+    )
     from ltp.planners import PLANNERS
 
     if rows not in _ROWS:
@@ -218,4 +230,4 @@ def _variants(rows: str, planners: str, ratios: str) -> list["Variant"]:
         variants += sweep(values)
     if not variants:
         raise ValueError("nothing to fly: --rows, --planners and --ratios leave no variant")
-    return unique(variants)
+    return unique(with_refined(variants) if refine else variants)

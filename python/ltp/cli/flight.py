@@ -48,6 +48,10 @@ def fly(
     priority_map: Annotated[
         str | None, typer.Option(help="`binary`, or `lpf` for the low-pass map.")
     ] = None,
+    refine: Annotated[
+        bool | None,
+        typer.Option(help="Free the paths from the grid's directions."),
+    ] = None,
     config: Config = None,
     way_points: Annotated[
         Path | None,
@@ -83,6 +87,7 @@ def fly(
         "length_weight": length_weight,
         "priority_weight": priority_weight,
         "priority_map": priority_map,
+        "refine": refine,
     }
     settings = dataclasses.replace(
         open_config(config), **{name: value for name, value in given.items() if value is not None}

@@ -67,7 +67,7 @@ def flown_paths_figure(
     figure, (left, right) = make_page(
         world,
         2,
-        f"Flown paths for different weights: {planner_title(config.planner)}",
+        f"Flown paths for different weights: {planner_title(config.planner, config.refine)}",
         f"{world.name}  ·  {_MAP_NAMES[config.priority_map]}",
         view=view,
     )
@@ -206,7 +206,7 @@ def _values(
     rows: Sequence[FlightRow], planner: str, kind: str, ratio: float, name: str
 ) -> list[float]:
     variant = at_ratio(ratio, planner, kind)
-    key = (planner, variant.length_weight, variant.priority_weight, kind)
+    key = (planner, variant.length_weight, variant.priority_weight, kind, variant.refine)
     return [getattr(row, name) for row in rows if row.variant == key and row.outcome == "reached"]
 
 

@@ -33,13 +33,14 @@ class Flight:
 
 
 def mission_config(base: MissionConfig, variant: Variant) -> MissionConfig:
-    """The base configuration with the variant's planner, weights and map."""
+    """The base configuration with the variant's planner, weights, map and refinement."""
     return dataclasses.replace(
         base,
         planner=variant.planner,
         length_weight=variant.length_weight,
         priority_weight=variant.priority_weight,
         priority_map=variant.priority_map,
+        refine=variant.refine,
     )
 
 

@@ -113,6 +113,7 @@ def flight_row(
         length_weight=config.length_weight,
         priority_weight=config.priority_weight,
         priority_map=config.priority_map,
+        refine=config.refine,
         scenario=scenario.index,
         seed=scenario.seed,
         crosses_building=scenario.crosses_building,

@@ -30,6 +30,7 @@ class FlightRow:
     length_weight: float  # W_L
     priority_weight: float  # W_P
     priority_map: str
+    refine: bool = False  # whether paths were refined; campaigns before it was an option had none
     scenario: int
     seed: int
     crosses_building: bool  # the straight global path does
@@ -63,13 +64,19 @@ class FlightRow:
         return [float(text) for text in self.time_plans.split("|") if text]
 
     @property
-    def variant(self) -> tuple[str, float, float, str]:
-        """Planner, W_L, W_P, priority map: what a table's row gathers."""
-        return self.planner, self.length_weight, self.priority_weight, self.priority_map
+    def variant(self) -> tuple[str, float, float, str, bool]:
+        """Planner, W_L, W_P, priority map, refined: what a table's row gathers."""
+        weights = self.length_weight, self.priority_weight
+        return self.planner, *weights, self.priority_map, self.refine
 
 
 COLUMNS = tuple(field.name for field in dataclasses.fields(FlightRow))
 _TYPES = typing.get_type_hints(FlightRow)
+_DEFAULTS = {
+    field.name: field.default
+    for field in dataclasses.fields(FlightRow)
+    if field.default is not dataclasses.MISSING
+}
 
 
 def to_mapping(row: FlightRow) -> dict[str, Any]:
@@ -78,11 +85,12 @@ def to_mapping(row: FlightRow) -> dict[str, Any]:
 
 
 def from_mapping(values: Mapping[str, Any]) -> FlightRow:
-    """The row of plain values or CSV texts by column.
+    """The row of plain values or CSV texts by column; columns with a default may be missing.
 
     Raises:
         ValueError: naming the columns that are missing, unknown or hold no value of their type.
     """
+    values = {**_DEFAULTS, **values}
     if missing := [name for name in COLUMNS if values.get(name) is None and not _optional(name)]:
         raise ValueError(f"missing columns: {', '.join(missing)}")
     if unknown := [str(name) for name in values if name not in COLUMNS]:
@@ -109,7 +117,7 @@ def read_rows(path: str | os.PathLike[str]) -> list[FlightRow]:
         with Path(path).open(newline="", encoding="utf-8") as file:
             reader = csv.DictReader(file, restkey="beyond the last column")
             rows = [_read_line(path, reader.line_num, line) for line in reader]
-            if set(reader.fieldnames or ()) != set(COLUMNS):  # none but the header
+            if not set(COLUMNS) - set(_DEFAULTS) <= set(reader.fieldnames or ()):  # no line told
                 raise ValueError(f"{path}: missing columns, it is not a table of flights")
             return rows
     except (UnicodeDecodeError, csv.Error) as error:

@@ -67,7 +67,7 @@ def summary_figure(
     _draw_sensed(axes, sensed)
     draw_global_path(axes, records[0].global_path)
     for record, colour in zip(records, itertools.cycle(PATH_COLOURS)):
-        name = planner_title(record.config.planner)
+        name = planner_title(record.config.planner, record.config.refine)
         label = f"{name}:  P = {record.mean_priority:.2f},  L/L_GP = {record.length_ratio:.2f}"
         if record.outcome is not Outcome.REACHED:
             label = f"{name}:  {record.outcome.value.replace('_', ' ')}"

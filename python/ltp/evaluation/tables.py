@@ -12,7 +12,7 @@ import numpy as np
 
 from .paper import PAPER, PaperRow
 from .rows import FlightRow
-from .variants import TABLE_I, TABLE_II, Variant
+from .variants import TABLE_I, TABLE_II, Variant, with_refined
 
 _NAMES = {
     "lp-dijkstra": "LP-Dijkstra",
@@ -80,6 +80,7 @@ def summarise(variant: Variant, rows: Iterable[FlightRow]) -> Summary:
         variant.length_weight,
         variant.priority_weight,
         variant.priority_map,
+        variant.refine,
     )
     mine = [row for row in rows if row.variant == key]
     if len(worlds := {row.world for row in mine}) > 1:
@@ -109,14 +110,16 @@ def summarise(variant: Variant, rows: Iterable[FlightRow]) -> Summary:
 def table_variants(rows: Iterable[FlightRow]) -> dict[str, list[Variant]]:
     """The tables that the rows can fill: title -> variants, in the paper's order.
 
-    Variants that are in neither table of the paper gather by their map.
+    What was flown with refinement follows what was flown without. Variants that are in neither
+    table of the paper gather by their map.
     """
     flown = list(dict.fromkeys(Variant(*row.variant) for row in rows))
+    first, second = with_refined(TABLE_I), with_refined(TABLE_II)
     tables = {
-        "Table I: binary priority map": [variant for variant in TABLE_I if variant in flown],
-        "Table II: low-pass priority map": [variant for variant in TABLE_II if variant in flown],
+        "Table I: binary priority map": [variant for variant in first if variant in flown],
+        "Table II: low-pass priority map": [variant for variant in second if variant in flown],
     }
-    others = [variant for variant in flown if variant not in TABLE_I + TABLE_II]
+    others = [variant for variant in flown if variant not in first + second]
     for kind, title in (("binary", "binary"), ("lpf", "low-pass")):
         mine = [variant for variant in others if variant.priority_map == kind]
         tables[f"Not in the paper's tables: {title} priority map"] = mine
@@ -173,9 +176,9 @@ def csv_table(summaries: Iterable[Summary]) -> str:
     return text.getvalue()
 
 
-def planner_title(name: str) -> str:
-    """How the paper writes a planner's name."""
-    return _NAMES.get(name, name)
+def planner_title(name: str, refine: bool = False) -> str:
+    """How the paper writes a planner's name; and whether its paths are refined."""
+    return _NAMES.get(name, name) + (", refined" if refine else "")
 
 
 @dataclass(frozen=True)
@@ -211,7 +214,7 @@ def _paper(show: Callable[[PaperRow], str]) -> Callable[[Summary], str]:
 
 
 _COLUMNS = (
-    _Column("algorithm", lambda s: planner_title(s.variant.planner), text=True),
+    _Column("algorithm", lambda s: planner_title(s.variant.planner, s.variant.refine), text=True),
     _Column("W_L", lambda s: f"{s.variant.length_weight:g}"),
     _Column("W_P", lambda s: f"{s.variant.priority_weight:g}"),
     _Column("mean P (SD)", lambda s: _spread(s.mean_priority), lambda s: -s.mean_priority.mean),
@@ -250,6 +253,7 @@ _CSV_COLUMNS: dict[str, Callable[[Summary], object]] = {
     "length_weight": lambda s: s.variant.length_weight,
     "priority_weight": lambda s: s.variant.priority_weight,
     "priority_map": lambda s: s.variant.priority_map,
+    "refine": lambda s: "yes" if s.variant.refine else "no",
     "mean_priority": lambda s: s.mean_priority.mean,
     "mean_priority_sd": lambda s: s.mean_priority.sd,
     "paper_mean_priority": lambda s: s.paper and s.paper.mean_priority,

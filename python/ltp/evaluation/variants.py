@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a campaign varies: planner, weights, priority map; the rows of the paper's tables."""
 
+import dataclasses
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -23,6 +24,7 @@ class Variant:
     length_weight: float  # W_L
     priority_weight: float  # W_P
     priority_map: str = "binary"  # "binary" | "lpf"
+    refine: bool = False  # whether the planner's paths are refined
 
     def __post_init__(self) -> None:
         if self.planner not in PLANNERS:
@@ -37,6 +39,11 @@ class Variant:
     def ratio(self) -> float:
         """W_P / W_L; inf for W_L = 0."""
         return self.priority_weight / self.length_weight if self.length_weight else math.inf
+
+    @property
+    def refined(self) -> "Variant":
+        """The same with refinement."""
+        return dataclasses.replace(self, refine=True)
 
 
 #: The rows of the paper's Table I, in its order.
@@ -86,6 +93,11 @@ def at_ratio(ratio: float, planner: str = "lp-dijkstra", priority_map: str = "bi
 def sweep(ratios: Iterable[float] = SWEEP_RATIOS, planner: str = "lp-dijkstra") -> list[Variant]:
     """The variants of the sweep of W_P / W_L, over both maps."""
     return [at_ratio(ratio, planner, kind) for kind in PRIORITY_MAPS for ratio in ratios]
+
+
+def with_refined(variants: Iterable[Variant]) -> list[Variant]:
+    """Each variant, and after it the same with refinement."""
+    return [twin for variant in variants for twin in (variant, variant.refined)]
 
 
 def unique(variants: Iterable[Variant]) -> list[Variant]:

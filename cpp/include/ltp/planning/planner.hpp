@@ -65,7 +65,9 @@ struct Plan {
   PathTally tally;         ///< length and priority integral of `path`
   double penalty =
       std::numeric_limits<double>::infinity();  ///< Eq. (5) on `tally`; inf unless Found
-  std::optional<double> bound;  ///< no path has a smaller penalty, where the planner can prove one
+  /// No path through the planner's graph (cell centres) has a smaller penalty, where the planner
+  /// can prove one. A refined path is not on that graph and may lie below.
+  std::optional<double> bound;
   SearchStats stats;
 };
 
@@ -138,6 +140,8 @@ struct PlannerOptions {
   /// Eq. (9) as printed lacks the factor W_L, so that its heuristic weighs 1 / W_L too much. True
   /// scales it.
   bool scaled_heuristic = false;
+  /// Frees the path from the grid's directions, see `Refiner`: never a larger penalty.
+  bool refine = false;
   BezierOptions bezier;
   LinearisedOptions linearised;
   ParetoOptions pareto;
