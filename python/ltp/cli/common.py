@@ -98,6 +98,11 @@ def numbers(name: str, text: str) -> list[float]:
         raise ValueError(f"{name}: expected numbers with commas between, not {text!r}") from None
 
 
+def names(text: str) -> list[str]:
+    """The names in a text with commas between."""
+    return [part.strip() for part in text.split(",") if part.strip()]
+
+
 def workers(processes: int) -> int:
     """The number of processes that is meant: 0 is one per processor."""
     return processes if processes > 0 else len(os.sched_getaffinity(0))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Journals: finished rows of a campaign or a comparison, appended one by one, safe against any kill."""
+"""Journals of long computations: finished rows, appended one by one, safe against any kill."""
 
 import fcntl
 import json

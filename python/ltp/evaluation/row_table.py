@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""`RowTable`: a dataclass of plain values as the rows of a CSV, out and in, checked by its types."""
+"""`RowTable`: dataclasses of plain values as the rows of a CSV, out and in, checked by type."""
 
 import csv
 import dataclasses
