@@ -18,7 +18,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from ltp._core import LinearisedOptions, Planner, PlanStatus, Scene, __version__, penalty
+from ltp._core import LinearisedOptions, Plan, Planner, PlanStatus, Scene, __version__, penalty
 from ltp.planners import PLANNERS, make_planner
 
 from .journal import RowJournal
@@ -105,7 +105,7 @@ class Contender:
 
     @property
     def planner(self) -> str:
-        """One of `ltp.PLANNERS`."""
+        """Its planner, one of `ltp.PLANNERS`."""
         return BASELINE if self.name == SHORTEST else self.name.removesuffix(_REFINE)
 
     @property
@@ -124,6 +124,13 @@ class Contender:
             priority_weight=variant.priority_weight,
             **options,
         )
+
+    def judge(self, plan: Plan, direct: float, ratio: float) -> tuple[float, float | None]:
+        """Eq. 5 of a path found, by the weights of this ratio, and the bound that holds for it."""
+        weights = at_ratio(ratio)
+        judged = penalty(plan.tally, direct, weights.length_weight, weights.priority_weight)
+        # What is proved for W_P = 0 says nothing about other weights.
+        return judged, None if self.name == SHORTEST else plan.bound
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -320,13 +327,11 @@ class _Series:
             yield self._answer(planner, index)
 
     def _answer(self, planner: Planner, index: int) -> GapRow:
-        query, weights = self._queries.queries[index], at_ratio(self._case.ratio)
+        query = self._queries.queries[index]
         scene: Scene = self._queries.scene(query, self._case.priority_map)
         plan = planner.plan(scene, query.query(BANDS[self._case.band]))
         found = plan.status == PlanStatus.FOUND
-        judged = penalty(
-            plan.tally, query.direct_length, weights.length_weight, weights.priority_weight
-        )
+        judged, bound = self._contender.judge(plan, query.direct_length, self._case.ratio)
         return GapRow(
             key=self.keys[index],
             world=self._queries.world,
@@ -341,8 +346,7 @@ class _Series:
             length=plan.tally.length if found else None,
             mean_priority=plan.tally.mean_priority if found else None,
             direct_length=query.direct_length,
-            # What is proved for W_P = 0 says nothing about other weights.
-            bound=None if self._name == SHORTEST else plan.bound,
+            bound=bound,
             expanded=plan.stats.expanded,
             time_plan=1e3 * plan.stats.seconds,
         )
