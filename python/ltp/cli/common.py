@@ -10,6 +10,8 @@ import typer
 from rich.console import Console
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from ltp.config import MissionConfig
     from ltp.evaluation.scenarios import ScenarioOptions
     from ltp.world import World
@@ -111,3 +113,12 @@ def workers(processes: int) -> int:
 def tell(what: str, path: Path) -> None:
     """Say where a file was written."""
     console.print(f"{what:<12} {path}", markup=False, soft_wrap=True)
+
+
+def write_figure(figure: "Figure", out: Path) -> None:
+    """Write a picture, its folder too, and say where."""
+    from ltp.evaluation.backdrop import save_figure
+
+    out.parent.mkdir(parents=True, exist_ok=True)
+    save_figure(figure, out)
+    tell("figure", out)

@@ -7,7 +7,7 @@ import json
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -103,7 +103,7 @@ def gap(
 
     from .progress import GapProgress
 
-    chosen = {"planners": names(planners)} if planners else {}
+    chosen: dict[str, Any] = {"planners": names(planners)} if planners else {}
     options = GapOptions(
         ratios=numbers("--ratios", ratios),
         maps=names(maps),

@@ -128,7 +128,14 @@ def supported(scene: Scene, query: Query, most: float) -> NDArray[np.float64]:
         if alpha * found[0] - found[1] < alpha * left[0] - left[1] - _NEAR:
             corners.add(found)
             waiting += [(left, found), (found, right)]
-    return np.array(sorted(corners))
+    return _distinct(sorted(corners))
+
+
+def _distinct(corners: Sequence[tuple[float, float]]) -> NDArray[np.float64]:
+    """One of those that differ by rounding only."""
+    kept = [corners[0]]
+    kept += [b for a, b in itertools.pairwise(corners) if b[0] - a[0] >= _NEAR]
+    return np.array(kept)
 
 
 def _least(scene: Scene, query: Query, alpha: float) -> tuple[float, float]:

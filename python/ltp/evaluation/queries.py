@@ -265,12 +265,16 @@ def _query_header(query: RecordedQuery) -> dict[str, Any]:
         "goal": query.goal.tolist(),
         "band": query.band,
         "flown": query.flown,
-        "frame": [frame.origin.tolist(), frame.cell.tolist(), list(frame.dims)],
+        # The window lies on the lattice through the world's origin: whole cells from there.
+        "first": np.round(frame.origin / frame.cell).astype(int).tolist(),
+        "cell": frame.cell.tolist(),
+        "dims": list(frame.dims),
     }
 
 
 def _query(values: dict[str, Any], columns: NDArray[np.uint64]) -> RecordedQuery:
-    frame = GridFrame(*values.pop("frame"))
+    lattice = GridFrame((0.0, 0.0, 0.0), values.pop("cell"), values.pop("dims"))
+    frame = lattice.shifted(values.pop("first"))
     if columns.dtype != np.uint64 or columns.shape[:2] != tuple(frame.dims[:2]):
         raise ValueError("a window's cells do not fit its frame")
     for name in ("start", "goal"):
