@@ -7,6 +7,7 @@ last command in a fixed order, each with the optimum of its query.
 """
 
 import dataclasses
+import functools
 import hashlib
 import itertools
 import json
@@ -18,7 +19,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from ltp._core import LinearisedOptions, Plan, Planner, PlanStatus, Scene, __version__, penalty
+from ltp import _core
+from ltp._core import LinearisedOptions, Plan, Planner, PlanStatus, Scene, penalty
 from ltp.planners import PLANNERS, make_planner
 
 from .journal import RowJournal
@@ -292,6 +294,12 @@ def _digests(queries: QuerySet) -> dict[str, list[str]]:
     }
 
 
+@functools.cache
+def _program() -> str:
+    """Digest of the compiled core: a planner that was changed plans anew, whatever its version."""
+    return hashlib.sha256(Path(_core.__file__).read_bytes()).hexdigest()
+
+
 class _Series:
     """One contender, or with None the reference, through all queries under one case."""
 
@@ -353,7 +361,7 @@ class _Series:
 
     def _key(self, digest: str) -> str:
         facts = {
-            "ltp": __version__,
+            "program": _program(),
             "query": digest,
             "case": dataclasses.astuple(self._case),
             "planner": [self._name, self._contender.name],
