@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from .bootstrap import Interval, mean_interval
 from .rows import FlightRow
 from .tables import planner_title
-from .variants import at_ratio
+from .variants import PRIORITY_MAPS, Variant, at_ratio
 
 #: What is compared: column of `FlightRow` -> how it is called.
 MEASURES = {
@@ -53,8 +53,7 @@ def pick(rows: Iterable[FlightRow], planner: str, ratio: float, priority_map: st
         ValueError: if there are none, or they are of several worlds.
     """
     wanted = at_ratio(ratio, planner, priority_map)
-    key = (wanted.planner, wanted.length_weight, wanted.priority_weight, wanted.priority_map)
-    mine = [row for row in rows if row.variant == key]
+    mine = [row for row in rows if Variant(*row.variant) == wanted]
     if not mine:
         raise ValueError(
             f"no flights of {planner} at W_P/W_L = {ratio:g} over the {priority_map} map"
@@ -112,12 +111,12 @@ def compare_all(
 
 def flown_maps(rows: Iterable[FlightRow], planners: Sequence[str], ratio: float) -> list[str]:
     """The maps over which all of the planners were flown at this ratio."""
-    flown: dict[str, set[str]] = {}
-    for row in rows:
-        wanted = at_ratio(ratio, row.planner, row.priority_map)
-        if row.variant[1:3] == (wanted.length_weight, wanted.priority_weight):
-            flown.setdefault(row.priority_map, set()).add(row.planner)
-    return [kind for kind, names in flown.items() if names >= set(planners)]
+    flown = {Variant(*row.variant) for row in rows}
+    return [
+        kind
+        for kind in PRIORITY_MAPS
+        if all(at_ratio(ratio, planner, kind) in flown for planner in planners)
+    ]
 
 
 def cells(comparison: Comparison) -> list[str]:

@@ -14,7 +14,7 @@ import numpy as np
 from .backdrop import FAINT, INK, caption, plain_axes
 from .front import FrontView, plane
 from .gap import OPTIMUM, GapRow
-from .gap_tables import CLOSE, case_title, contender_title
+from .gap_tables import CLOSE, case_title, contender_title, number
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -38,8 +38,8 @@ def front_figure(view: FrontView, world: str, attribution: str) -> "Figure":
     """
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(11.0, 6.6), facecolor="white")
-    axes = figure.add_axes((0.075, 0.115, 0.575, 0.735))
+    figure = Figure(figsize=(11.4, 6.6), facecolor="white")
+    axes = figure.add_axes((0.073, 0.115, 0.555, 0.735))
     points = plane(
         np.array([(b.length, b.priority) for b in view.landings]).reshape(-1, 2),
         view.direct_length,
@@ -51,7 +51,7 @@ def front_figure(view: FrontView, world: str, attribution: str) -> "Figure":
     line = view.envelope(x1)
     wall = np.concatenate([[(x0, -9.0), (line[0, 0], -9.0)], line])
     axes.fill_between(wall[:, 0], wall[:, 1], 9.0, color=_IMPOSSIBLE, lw=0.0, zorder=1)
-    axes.plot(*line.T, color=INK, lw=1.6, zorder=3, label="hull: no path lies above it")
+    axes.plot(*line.T, color=INK, lw=1.6, zorder=3, label="hull: no grid path lies above it")
     axes.plot(
         *corners.T, "o", color=INK, ms=3.5, zorder=3, label="its corners, the supported paths"
     )
@@ -65,7 +65,7 @@ def front_figure(view: FrontView, world: str, attribution: str) -> "Figure":
     for rank, landing in enumerate(ranked):
         colour, marker = style_of[landing.planner]
         (at,) = plane(np.array([(landing.length, landing.priority)]), view.direct_length)
-        label = f"{contender_title(landing.planner)}:  {landing.penalty:.3f}"
+        label = f"{contender_title(landing.planner)}:  {number(landing.penalty)}"
         axes.plot(
             *at,
             marker,
@@ -151,7 +151,9 @@ def gap_figure(rows: Sequence[GapRow], attribution: str) -> "Figure":
     )
     count = len({row.query for row in solved})
     title = "How near planners come to the best path there is"
-    note = f"share of {count} recorded queries with a gap up to x; dashed: 0.01"
+    note = (
+        f"share of {count} recorded queries with a gap up to x; dashed: 0.01; below 0: off the grid"
+    )
     caption(figure, title, f"{rows[0].world}  ·  {note}", attribution)
     return figure
 
@@ -170,7 +172,15 @@ def _frame(axes: "Axes", points: Any, corners: Any) -> None:
     pad = max(0.02, 0.12 * (y1 - y0))
     axes.set_xlim(x0 - 0.12 * (x1 - x0), x1 + 0.2 * (x1 - x0))
     axes.set_ylim(y0 - pad, y1 + pad)
-    axes.text(0.015, 0.975, "no path here", transform=axes.transAxes, size=9, color=FAINT, va="top")
+    axes.text(
+        0.015,
+        0.975,
+        "no path of the grid here",
+        transform=axes.transAxes,
+        size=9,
+        color=FAINT,
+        va="top",
+    )
 
 
 def _isolines(axes: "Axes", view: FrontView) -> None:
@@ -207,7 +217,7 @@ def _bound(axes: "Axes", view: FrontView) -> None:
         return
     xs = np.array(axes.get_xlim())
     ys = (weights.length_weight * xs - bound) / weights.priority_weight
-    label = f"certificate: Eq. 5 ≥ {bound:.3f} for all paths".replace("-", "−")
+    label = f"certificate: no grid path has Eq. 5 < {bound:.3f}".replace("-", "−")
     axes.plot(xs, ys, color=_CERTIFIED, lw=1.5, ls=(0, (5, 2.5)), zorder=4, label=label)
 
 
