@@ -203,7 +203,8 @@ def run_gap(
     """Make the plans that are not in the folder's journal yet; return and write all rows.
 
     Planner after planner, in this process, one plan at a time: the times are those of a planner
-    with a core to itself.
+    with a core to itself. One planner answers all queries of a case, in the order of the flights:
+    what it remembers of the last plan serves it here as it does in the air.
 
     Args:
         queries: recorded in flight.
