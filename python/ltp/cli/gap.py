@@ -205,9 +205,9 @@ def _print_tables(rows: Sequence["GapRow"]) -> None:
         if note := unproved_note([row for row in rows if row.case == case]):
             console.print(note, style="bright_black", markup=False)
     console.print(
-        "gap: to the optimum, in units of Eq. 5; near: share of gaps <= 0.01; gain: beyond "
-        "LP-Dijkstra,\n1 being what that gains on the shortest path; sure: share of plans proved "
-        "within 0.01 of\nthe optimum; in brackets: over fewer queries",
+        "gap: to the optimum, in units of Eq. 5; near: share of gaps <= 0.01; gain: over\n"
+        "LP-Dijkstra, 1 being what that gains on the shortest path; sure: share of plans\n"
+        "proved within 0.01 of the optimum; in brackets: a mean over fewer queries",
         style="bright_black",
         markup=False,
     )
