@@ -17,7 +17,7 @@ from ltp.sim import fly
 from .scenes import ATTRIBUTION, patchwork, town
 
 OPTIONS = ScenarioOptions(count=2, length=120.0, spacing=40.0, altitude=30.0, margin=10.0)
-CONFIG = MissionConfig(priority_map="lpf")
+CONFIG = MissionConfig(planner="lp-dijkstra", priority_map="lpf")  # it remembers no plans
 
 
 @pytest.fixture(scope="module")

@@ -91,8 +91,8 @@ def gap(
 ) -> None:
     """Measure every planner's gap to the exact optimum of Eq. 5.
 
-    Flies the global paths with the planner of the settings (LP-Dijkstra by default) and keeps what
-    it was asked: the map as sensed so far, start, goal. Then every planner answers every query
+    Flies the global paths with the planner of the settings (`--config`) and keeps what it was
+    asked: the map as sensed so far, start, goal. Then every planner answers every query
     under each ratio, map and band; its penalty is held against the optimum, its lower bound too.
     Times are of one plan at a time on one core. Writes queries.npz, gap.csv and gap.md. Stopped in
     any way, it goes on where it was when the same command is given again.
