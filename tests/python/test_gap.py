@@ -24,7 +24,7 @@ from ltp.evaluation.gap import (
     with_optimum,
 )
 from ltp.evaluation.gap_figures import front_figure, gap_figure
-from ltp.evaluation.gap_tables import markdown_gaps, summarise_gaps, unproved_note
+from ltp.evaluation.gap_tables import markdown_gaps, number, share, summarise_gaps, unproved_note
 from ltp.evaluation.queries import BANDS, QuerySet
 
 from .scenes import ATTRIBUTION, patchwork
@@ -100,6 +100,11 @@ def test_statistics_by_hand() -> None:
     assert found[OPTIMUM].gain == pytest.approx(0.25)
     assert found["lp-dijkstra"].bounded == 0.0 and math.isnan(found["lp-dijkstra"].valid)
     assert (additive.time_median, additive.time_p95) == (2.5, pytest.approx(3.85))
+
+
+def test_numbers_are_told_plainly() -> None:
+    assert [number(v) for v in (-0.0004, -0.0126, math.nan)] == ["0.000", "−0.013", "–"]
+    assert [share(v) for v in (0.999, 1.0, 0.5, math.nan)] == ["99.9 %", "100 %", "50 %", "–"]
 
 
 def test_what_is_not_found_has_no_gap_and_what_has_no_path_does_not_count() -> None:

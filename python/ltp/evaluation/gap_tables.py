@@ -148,7 +148,9 @@ class Column:
 
 def number(value: float, digits: int = 3) -> str:
     """For a table; a dash where there is none."""
-    return "–" if math.isnan(value) else f"{value:.{digits}f}".replace("-", "−")
+    if math.isnan(value):
+        return "–"
+    return f"{round(value, digits) + 0.0:.{digits}f}".replace("-", "−")  # no minus before 0.000
 
 
 def mean_penalty(summary: GapSummary) -> str:
