@@ -2,10 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Small worlds and made-up flights for the tests of evaluation, viewer and command line."""
 
+import math
+
 import numpy as np
 
+from ltp._core import GridFrame, OccupancyGrid, Query, Raster, flood_fill
 from ltp.config import MissionConfig
+from ltp.evaluation.queries import QuerySet, RecordedQuery
 from ltp.evaluation.rows import FlightRow
+from ltp.evaluation.sensed import CellMap
 from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WayPointEvent
 from ltp.world import LandClass, World
 
@@ -29,6 +34,28 @@ def town():
         size=(260, 220),
         name="town",
     )
+
+
+def patchwork(seed, count=6, size=(30, 30, 6), density=0.2):
+    """Made-up queries through random blocks, over a random binary map and its smooth like."""
+    rng = np.random.default_rng(seed)
+    frame = GridFrame((0.0, 0.0, 0.0), (2.0, 2.0, 4.0), size)
+    queries, priorities = [], {}
+    while len(queries) < count:
+        blocked = np.repeat(rng.random((*size[:2], 1)) < density, size[2], axis=2)
+        blocked[:, :, 3:] = False  # one may fly over everything
+        start, goal = frame.centre((2, 3, 2)), frame.centre((size[0] - 4, size[1] - 3, 2))
+        blocked[2, 3] = blocked[size[0] - 4, size[1] - 3] = False
+        grid = OccupancyGrid.from_array(blocked, frame)
+        if not flood_fill(grid, Query(start, goal, (0.0, 0.0)))[tuple(frame.cell_of(goal))]:
+            continue
+        ground = np.kron(rng.random((size[0] // 3, size[1] // 3)), np.ones((3, 3)))
+        maps = {"binary": np.where(ground < 0.4, 1.0, 0.0), "lpf": ground}
+        number = len(queries)
+        priorities[number] = {name: Raster(values, cell=2.0) for name, values in maps.items()}
+        cells = CellMap.of(grid)
+        queries.append(RecordedQuery(number, 0.0, 1, start, goal, (0.0, 0.0), math.inf, cells))
+    return QuerySet("patchwork", ATTRIBUTION, "", queries, priorities)
 
 
 def event(index, outcome="reached", reason="", goal=(0, 0, 0), position=(0, 0, 0)):

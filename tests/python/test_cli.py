@@ -82,13 +82,6 @@ def test_fly_takes_settings_from_a_file_and_way_points_from_a_table(
     assert not (tmp_path / "o" / "flight.rrd").exists()
 
 
-def test_replan_compares_two_planners_at_every_scan(world: str) -> None:
-    said = succeed("replan", world, *SHORT, "--alpha", "1.4")
-    assert "times fewer" in said
-    assert "the same answer always; the same cost in 100 %" in " ".join(said.split())
-    assert "expected one of" in fail("replan", world, *SHORT, "--planner", "none")
-
-
 def test_evaluate_table_and_sweep(world: str, tmp_path: Path) -> None:
     out = tmp_path / "campaign"
     command = ["evaluate", world, *SHORT, "--paths", "2", "--out", out, "--processes", "1"]
@@ -103,11 +96,13 @@ def test_evaluate_table_and_sweep(world: str, tmp_path: Path) -> None:
         ("lp-dijkstra", 0.5, 1.0, "lpf", False),
         ("bezier", 1.0, 0.0, "binary", False),
         ("bezier", 0.5, 1.0, "binary", False),
+        ("bezier", 1.0, 0.0, "lpf", False),
+        ("bezier", 0.5, 1.0, "lpf", False),
     }
-    assert len(rows) == 12
-    assert "2 through buildings; 6 variants" in said and "Table I" in said
+    assert len(rows) == 16
+    assert "2 through buildings; 8 variants" in said and "Table I" in said
     assert "0.82 (0.06)" in said  # the paper's
-    assert "12 of 12 flights were flown before" in succeed(*command)
+    assert "16 of 16 flights were flown before" in succeed(*command)
 
     table = succeed("table", out)
     assert table == (out / "tables.md").read_text()
@@ -121,6 +116,52 @@ def test_evaluate_table_and_sweep(world: str, tmp_path: Path) -> None:
     assert "was flown over town, not over built-in city" in fail(
         "figure", "sweep", out, "city", "--out", tmp_path / "no.png"
     )
+
+
+def test_a_sweep_of_chosen_planners_is_compared_and_drawn(world: str, tmp_path: Path) -> None:
+    out = tmp_path / "campaign"
+    command = ["evaluate", world, *SHORT, "--paths", "3", "--out", out, "--processes", "1"]
+    command += ["--rows", "none", "--planners", "lp-a-star,ggwp", "--ratios", "0,2"]
+    succeed(*command, "--maps", "lpf")
+    rows = read_rows(out / "flights.csv")
+    assert {r.variant for r in rows} == {
+        (planner, *weights, "lpf", False)
+        for planner in ("lp-a-star", "ggwp")
+        for weights in ((1.0, 0.0), (0.5, 1.0))
+    }
+    said = succeed("compare", out, "--planners", "lp-a-star,ggwp", "--out", tmp_path / "compare.md")
+    assert "GGWP less LP-A*, lpf map, W_P/W_L = 2: 3 pairs of 3" in said
+    assert "| GGWP – LP-A* | lpf | 3/3 |" in (tmp_path / "compare.md").read_text()
+    succeed("figure", "curve", out, world, "--out", tmp_path / "curve.png")
+    assert (tmp_path / "curve.png").stat().st_size > 20_000
+    assert "no map flown by all" in fail("compare", out, "--planners", "lp-a-star,bezier")
+    assert "was flown over town" in fail("figure", "curve", out, "city", "-o", tmp_path / "n.png")
+
+
+def test_gap_records_compares_and_draws(world: str, tmp_path: Path) -> None:
+    out = tmp_path / "gap"
+    command = ["gap", world, *SHORT, "--paths", "2", "--queries", "5", "--out", out]
+    command += ["--planners", "shortest,lp-dijkstra,additive", "--ratios", "2"]
+    command += ["--maps", "binary", "--bands", "planar", "--reference-planner", "sweep"]
+    said = succeed(*command)
+    assert {path.name for path in out.iterdir()} == {
+        "queries.npz",
+        "journal.jsonl",
+        "gap.csv",
+        "gap.md",
+    }
+    assert "Binary priority map, planar flight, W_P/W_L = 2: 5 queries" in said
+    assert "| Additive A* | 5/5 |" in (out / "gap.md").read_text()
+    again = succeed(*command)
+    assert "5 queries were recorded before" in again
+    assert "20 of 20 plans were made before" in again
+    succeed("figure", "gap", out, "--out", tmp_path / "gap.png")
+    drawn = ["--query", "2", "--planners", "shortest,sweep"]
+    succeed("figure", "front", out, *drawn, "--out", tmp_path / "front.png")
+    for name in ("gap.png", "front.png"):
+        assert (tmp_path / name).read_bytes().startswith(b"\x89PNG")
+    assert "query 9: there are 5" in fail("figure", "front", out, "--query", "9")
+    assert "bands: 'low'" in fail(*command, "--bands", "low")
 
 
 def test_evaluate_flies_with_and_without_refinement(world: str, tmp_path: Path) -> None:
@@ -213,6 +254,12 @@ def test_help_comes_without_the_heavy_libraries() -> None:
         (["evaluate", "WORLD", *SHORT, "--ratios", "0;2"], "--ratios"),
         (["evaluate", "WORLD", *SHORT, "--ratios", "-1"], "ratio"),
         (["evaluate", "WORLD", *SHORT, "--rows", "none"], "nothing to fly"),
+        (["evaluate", "WORLD", *SHORT, "--maps", "blurred"], "--maps: 'blurred'"),
+        (["gap", "WORLD", "--planners", "a-star"], "planner 'a-star'"),
+        (["compare", "ROWS", "--planners", "lp-dijkstra"], "two planners"),
+        (["compare", "EMPTY"], "holds no flights"),
+        (["figure", "gap", "missing"], "No such file"),
+        (["figure", "front", "BAD"], "not a set of recorded queries"),
         (["evaluate", "WORLD", *SHORT, "--paths", "0"], "count"),
         (["evaluate", "WORLD", *SHORT, "--reference", "sea"], "reference"),
         (["evaluate", "WORLD", *SHORT, "--altitude", "200"], "crossed no building"),
@@ -272,6 +319,13 @@ def test_a_traceback_is_there_for_the_asking(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setenv("LTP_TRACEBACK", "1")
     result = run("fly", "nowhere.npz")
     assert isinstance(result.exception, ValueError)
+
+
+def test_replan_compares_two_planners_at_every_scan(world: str) -> None:
+    said = succeed("replan", world, *SHORT, "--alpha", "1.4")
+    assert "times fewer" in said
+    assert "the same answer always; the same cost in 100 %" in " ".join(said.split())
+    assert "expected one of" in fail("replan", world, *SHORT, "--planner", "none")
 
 
 def test_ctrl_c_is_no_traceback(monkeypatch: pytest.MonkeyPatch, world: str) -> None:

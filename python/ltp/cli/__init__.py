@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command line, `ltp`: a thin layer that parses, calls one function, prints its result."""
 
-from . import demo, evaluate, figure, flight, replan, settings, world
+from . import compare, demo, evaluate, figure, flight, gap, replan, settings, world
 from .app import app
 
 __all__ = ["app", "main"]
 
-for module in (demo, flight, evaluate, replan, figure, settings, world):
+for module in (demo, flight, evaluate, compare, gap, replan, figure, settings, world):
     module.register(app)
 
 

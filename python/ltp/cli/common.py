@@ -10,6 +10,8 @@ import typer
 from rich.console import Console
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from ltp.config import MissionConfig
     from ltp.evaluation.scenarios import ScenarioOptions
     from ltp.world import World
@@ -98,6 +100,11 @@ def numbers(name: str, text: str) -> list[float]:
         raise ValueError(f"{name}: expected numbers with commas between, not {text!r}") from None
 
 
+def names(text: str) -> list[str]:
+    """The names in a text with commas between."""
+    return [part.strip() for part in text.split(",") if part.strip()]
+
+
 def workers(processes: int) -> int:
     """The number of processes that is meant: 0 is one per processor."""
     return processes if processes > 0 else len(os.sched_getaffinity(0))
@@ -106,3 +113,12 @@ def workers(processes: int) -> int:
 def tell(what: str, path: Path) -> None:
     """Say where a file was written."""
     console.print(f"{what:<12} {path}", markup=False, soft_wrap=True)
+
+
+def write_figure(figure: "Figure", out: Path) -> None:
+    """Write a picture, its folder too, and say where."""
+    from ltp.evaluation.backdrop import save_figure
+
+    out.parent.mkdir(parents=True, exist_ok=True)
+    save_figure(figure, out)
+    tell("figure", out)

@@ -19,6 +19,7 @@ from .common import (
     ThroughBuildings,
     WorldArgument,
     console,
+    names,
     numbers,
     open_config,
     open_world,
@@ -64,10 +65,13 @@ def evaluate(
     ratios: Annotated[
         str,
         typer.Option(
-            help="Also sweep W_P / W_L with LP-Dijkstra over both maps: numbers with commas "
-            "between, or `default` for 0 ... 20."
+            help="Also sweep W_P / W_L with the --planners (LP-Dijkstra if none is named): numbers "
+            "with commas between, or `default` for 0 ... 20."
         ),
     ] = "",
+    maps: Annotated[
+        str, typer.Option(help="Fly only over these priority maps: `binary`, `lpf` or both.")
+    ] = "binary,lpf",
     refine: Annotated[
         bool,
         typer.Option("--refine", help="Fly each of these with refined paths too."),
@@ -91,7 +95,7 @@ def evaluate(
 
     from .progress import CampaignProgress
 
-    variants = _variants(rows, planners, ratios, refine)
+    variants = _variants(rows, planners, ratios, maps, refine)
     base = open_config(config)
     place = open_world(world)
     options = scenario_options(
@@ -205,8 +209,9 @@ def _csv(rows: Sequence["FlightRow"]) -> str:
     return csv_table([summarise(variant, rows) for variant in variants])
 
 
-def _variants(rows: str, planners: str, ratios: str, refine: bool) -> list["Variant"]:
+def _variants(rows: str, planners: str, ratios: str, maps: str, refine: bool) -> list["Variant"]:
     from ltp.evaluation.variants import (
+        PRIORITY_MAPS,
         SWEEP_RATIOS,
         TABLE_I,
         TABLE_II,
@@ -219,15 +224,21 @@ def _variants(rows: str, planners: str, ratios: str, refine: bool) -> list["Vari
 
     if rows not in _ROWS:
         raise ValueError(f"--rows must be one of {', '.join(_ROWS)}, not {rows!r}")
+    kinds = names(maps)
+    if not kinds or (strange := [kind for kind in kinds if kind not in PRIORITY_MAPS]):
+        wrong = strange[0] if kinds else maps
+        raise ValueError(f"--maps: {wrong!r} is none of {', '.join(PRIORITY_MAPS)}")
+    wanted = names(planners)
+    if unknown := [name for name in wanted if name not in PLANNERS]:
+        raise ValueError(f"--planners: {unknown[0]!r} is none of {', '.join(PLANNERS)}")
     variants = list({"tables": TABLE_I + TABLE_II, "1": TABLE_I, "2": TABLE_II, "none": ()}[rows])
-    if planners:
-        wanted = [name.strip() for name in planners.split(",")]
-        if unknown := [name for name in wanted if name not in PLANNERS]:
-            raise ValueError(f"--planners: {unknown[0]!r} is none of {', '.join(PLANNERS)}")
+    if wanted:
         variants = [variant for name in wanted for variant in rows_of(name, variants)]
     if ratios:
         values = SWEEP_RATIOS if ratios == "default" else numbers("--ratios", ratios)
-        variants += sweep(values)
+        for name in wanted or ["lp-dijkstra"]:
+            variants += sweep(values, name)
+    variants = [variant for variant in variants if variant.priority_map in kinds]
     if not variants:
-        raise ValueError("nothing to fly: --rows, --planners and --ratios leave no variant")
+        raise ValueError("nothing to fly: --rows, --planners, --ratios, --maps leave no variant")
     return unique(with_refined(variants) if refine else variants)

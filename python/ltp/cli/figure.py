@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""`ltp figure`: the paper's figures, flown or drawn anew."""
+"""`ltp figure`: the paper's figures and ours, flown or drawn anew."""
 
 import dataclasses
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
+from . import gap_figures
 from .app import PoliteGroup
 from .common import (
     Altitude,
@@ -24,11 +25,8 @@ from .common import (
     open_config,
     open_world,
     scenario_options,
-    tell,
+    write_figure,
 )
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 Out = Annotated[Path, typer.Option("--out", "-o", help="Picture to write: .png, .pdf or .svg.")]
 Map = Annotated[str, typer.Option("--map", help="Priority map: `binary` or `lpf`.")]
@@ -38,13 +36,14 @@ Planner = Annotated[str, typer.Option(help="Name of the planner.")]
 
 def register(app: typer.Typer) -> None:
     """Add the commands."""
-    group = typer.Typer(cls=PoliteGroup, help="Draw the paper's figures.", no_args_is_help=True)
+    group = typer.Typer(cls=PoliteGroup, help="Draw the figures.", no_args_is_help=True)
     group.command("paths")(paths)
     group.command("sweep")(sweep)
     group.command("scenarios")(scenarios)
     group.command("sensing")(sensing)
     group.command("traps")(traps)
     group.command("summary")(summary)
+    gap_figures.register(group)
     app.add_typer(group, name="figure")
 
 
@@ -82,7 +81,7 @@ def paths(
     for mission, variant in zip(missions, variants, strict=True):
         with console.status(f"flying W_P/W_L = {variant.ratio:g}"):
             records.append(mission.fly())
-    _write(flown_paths_figure(place, records, missions[0].priority), out)
+    write_figure(flown_paths_figure(place, records, missions[0].priority), out)
 
 
 def sweep(
@@ -100,7 +99,7 @@ def sweep(
     rows, place = read_flights(flights), open_world(world)
     if rows[0].world != place.name:
         raise ValueError(f"{flights} was flown over {rows[0].world}, not over {place.name}")
-    _write(sweep_figure(rows, place.attribution), out)
+    write_figure(sweep_figure(rows, place.attribution), out)
 
 
 def scenarios(
@@ -130,7 +129,7 @@ def scenarios(
         Mission(place, dataclasses.replace(base, priority_map=kind), drawn[0].global_path).priority
         for kind in ("binary", "lpf")
     )
-    _write(global_paths_figure(place, drawn, binary, lowpass), out)
+    write_figure(global_paths_figure(place, drawn, binary, lowpass), out)
 
 
 def sensing(
@@ -161,7 +160,7 @@ def sensing(
     taker = SnapshotTaker()
     with console.status("flying"):
         fly(place, settings, make_scenario(place, options, scenario).global_path, [taker])
-    _write(sensing_figure(place, taker.snapshots, settings.lidar.max_range), out)
+    write_figure(sensing_figure(place, taker.snapshots, settings.lidar.max_range), out)
 
 
 def traps(out: Out = Path("out/traps.png")) -> None:
@@ -170,7 +169,7 @@ def traps(out: Out = Path("out/traps.png")) -> None:
 
     with console.status("flying"):
         figure = trap_figure()
-    _write(figure, out)
+    write_figure(figure, out)
 
 
 def summary(
@@ -205,12 +204,4 @@ def summary(
         settings = dataclasses.replace(base, planner=name.strip())
         with console.status(f"flying {settings.planner}"):
             records.append(fly(place, settings, path, [sensed]))
-    _write(summary_figure(place, records, sensed), out)
-
-
-def _write(figure: "Figure", out: Path) -> None:
-    from ltp.evaluation.backdrop import save_figure
-
-    out.parent.mkdir(parents=True, exist_ok=True)
-    save_figure(figure, out)
-    tell("figure", out)
+    write_figure(summary_figure(place, records, sensed), out)

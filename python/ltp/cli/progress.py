@@ -16,26 +16,32 @@ from rich.progress import (
 )
 
 if TYPE_CHECKING:
+    from ltp.evaluation.gap import GapRow
     from ltp.evaluation.rows import FlightRow
     from ltp.sim.mission import Mission
     from ltp.sim.record import FlightRecord
 
 
+def counting_bar(console: Console, what: str) -> Progress:
+    """A bar over things that are counted, with the time left."""
+    return Progress(
+        TextColumn(what),
+        BarColumn(bar_width=None),
+        MofNCompleteColumn(),
+        TextColumn("{task.fields[note]}"),
+        TimeElapsedColumn(),
+        TextColumn("left"),
+        TimeRemainingColumn(),
+        console=console,
+    )
+
+
 class CampaignProgress:
-    """A bar over the flights of a campaign, with the time left."""
+    """A bar over the flights of a campaign."""
 
     def __init__(self, console: Console) -> None:
         self._console = console
-        self._bar = Progress(
-            TextColumn("flights"),
-            BarColumn(bar_width=None),
-            MofNCompleteColumn(),
-            TextColumn("{task.fields[note]}"),
-            TimeElapsedColumn(),
-            TextColumn("left"),
-            TimeRemainingColumn(),
-            console=console,
-        )
+        self._bar = counting_bar(console, "flights")
         self._task = self._bar.add_task("flights", total=None, note="")
         self._collisions = 0
         self._wrong = 0
@@ -58,6 +64,31 @@ class CampaignProgress:
 
     def on_end(self) -> None:
         """See `CampaignObserver`."""
+        self._bar.stop()
+
+
+class GapProgress:
+    """A bar over the plans of a comparison."""
+
+    def __init__(self, console: Console) -> None:
+        self._console = console
+        self._bar = counting_bar(console, "plans")
+        self._task = self._bar.add_task("plans", total=None, note="")
+
+    def on_start(self, total: int, done: int) -> None:
+        """See `GapObserver`."""
+        if done:
+            self._console.print(f"{done} of {total} plans were made before; going on")
+        self._bar.start()
+        self._bar.reset(self._task, total=total - done, visible=total > done)
+
+    def on_plan(self, row: "GapRow") -> None:
+        """See `GapObserver`."""
+        note = f"{row.planner}, {row.priority_map}, {row.band}, {row.ratio:g}"
+        self._bar.update(self._task, advance=1, note=note)
+
+    def on_end(self) -> None:
+        """See `GapObserver`."""
         self._bar.stop()
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""`Journal`: the finished flights of a campaign, appended one by one, safe against any kill."""
+"""Journals of long computations: finished rows, appended one by one, safe against any kill."""
 
 import fcntl
 import json
@@ -8,28 +8,39 @@ import os
 from io import FileIO
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import Any, Generic, Self
 
-from .rows import FlightRow, from_mapping, to_mapping
+from .row_table import Row, RowTable
+from .rows import FLIGHTS, FlightRow
 
-_HEADER = {"format": "ltp.campaign.journal", "version": 1}
 
-
-class Journal:
-    """One JSON line a flight, flushed to the disk before the next; at most one writer at a time.
+class RowJournal(Generic[Row]):
+    """One JSON line a row, flushed to the disk before the next; at most one writer at a time.
 
     A kill in the middle of a line leaves a torn last line: it is cut off when the journal is opened
-    again, and that flight is flown again. Lines that were finished are never lost or repeated.
+    again, and that row is made again. Lines that were finished are never lost or repeated.
+
+    Args:
+        path: of the file; made if it is not there.
+        table: the kind of row.
+        owner: what keeps such a journal, in one word: "campaign".
+        deed: how a row is made and what it tells of, in two words: "fly flight".
 
     Raises:
         ValueError: if the file is no journal, or a line other than the last is damaged.
-        RuntimeError: if another campaign is writing it.
+        RuntimeError: if another owner is writing it.
         OSError: from the file system.
     """
 
-    def __init__(self, path: str | os.PathLike[str]) -> None:
+    def __init__(
+        self, path: str | os.PathLike[str], table: RowTable[Row], owner: str, deed: str
+    ) -> None:
         self._path = Path(path)
-        self.rows: dict[str, FlightRow] = {}  # by key
+        self._table = table
+        self._owner = owner
+        self._verb, self._unit = deed.split()
+        self._header = {"format": f"ltp.{owner}.journal", "version": 1}
+        self.rows: dict[str, Row] = {}  # by key
         # Unbuffered: after a failed write nothing is left behind that a later one would flush.
         self._file: FileIO = self._path.open("a+b", buffering=0)
         try:
@@ -39,22 +50,22 @@ class Journal:
             self._file.close()
             raise
 
-    def append(self, row: FlightRow) -> None:
-        """Keep a finished flight; it is on the disk when this returns.
+    def append(self, row: Row) -> None:
+        """Keep a finished row; it is on the disk when this returns.
 
         Raises:
-            ValueError: if a flight of this key is there already.
+            ValueError: if a row of this key is there already.
         """
         if row.key in self.rows:
-            raise ValueError(f"the flight {row.key} is in {self._path} already")
-        self._write(to_mapping(row))
+            raise ValueError(f"the {self._unit} {row.key} is in {self._path} already")
+        self._write(self._table.to_mapping(row))
         self.rows[row.key] = row
 
     def close(self) -> None:
-        """Let the next campaign write."""
+        """Let the next owner write."""
         self._file.close()
 
-    def __enter__(self) -> "Journal":
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(
@@ -69,29 +80,29 @@ class Journal:
         try:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            raise RuntimeError(f"another campaign is writing {self._path}") from None
+            raise RuntimeError(f"another {self._owner} is writing {self._path}") from None
 
     def _read(self) -> None:
         self._file.seek(0)
         content = self._file.read()
         whole = content.rfind(b"\n") + 1
         lines = content[:whole].splitlines()
-        if lines and self._parse(1, lines[0]) != _HEADER:
-            raise ValueError(f"{self._path} is not the journal of a campaign")
-        if not lines and not json.dumps(_HEADER).encode().startswith(content):
-            raise ValueError(f"{self._path} is not the journal of a campaign")
+        if lines and self._parse(1, lines[0]) != self._header:
+            raise ValueError(f"{self._path} is not the journal of a {self._owner}")
+        if not lines and not json.dumps(self._header).encode().startswith(content):
+            raise ValueError(f"{self._path} is not the journal of a {self._owner}")
         for number, line in enumerate(lines[1:], start=2):
             try:
-                row = from_mapping(self._parse(number, line))
+                row = self._table.from_mapping(self._parse(number, line))
             except ValueError as error:
                 raise ValueError(
-                    f"{self._path}, line {number} is damaged ({error}): delete that line to fly "
-                    "its flight again"
+                    f"{self._path}, line {number} is damaged ({error}): delete that line to "
+                    f"{self._verb} its {self._unit} again"
                 ) from error
             self.rows.setdefault(row.key, row)
         self._file.truncate(whole)
         if not lines:
-            self._write(_HEADER)
+            self._write(self._header)
 
     def _parse(self, number: int, line: bytes) -> dict[str, Any]:
         try:
@@ -113,3 +124,10 @@ class Journal:
         except OSError:
             self._file.truncate(end)
             raise
+
+
+class Journal(RowJournal[FlightRow]):
+    """Of a campaign's flights."""
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        super().__init__(path, FLIGHTS, "campaign", "fly flight")

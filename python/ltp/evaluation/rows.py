@@ -2,19 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`FlightRow`: one flight of a campaign as one row of a CSV, out and in."""
 
-import csv
-import dataclasses
-import io
-import math
-import os
-import types
-import typing
-from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
 
-from ltp.files import atomic_write
+from .row_table import RowTable
 
 #: Columns that hold measured times and so differ from run to run begin with this.
 TIME_PREFIX = "time_"
@@ -70,98 +60,8 @@ class FlightRow:
         return self.planner, *weights, self.priority_map, self.refine
 
 
-COLUMNS = tuple(field.name for field in dataclasses.fields(FlightRow))
-_TYPES = typing.get_type_hints(FlightRow)
-_DEFAULTS = {
-    field.name: field.default
-    for field in dataclasses.fields(FlightRow)
-    if field.default is not dataclasses.MISSING
-}
+FLIGHTS = RowTable(FlightRow, "a table of flights")
 
-
-def to_mapping(row: FlightRow) -> dict[str, Any]:
-    """The row as plain values by column."""
-    return {name: getattr(row, name) for name in COLUMNS}
-
-
-def from_mapping(values: Mapping[str, Any]) -> FlightRow:
-    """The row of plain values or CSV texts by column; columns with a default may be missing.
-
-    Raises:
-        ValueError: naming the columns that are missing, unknown or hold no value of their type.
-    """
-    values = {**_DEFAULTS, **values}
-    if missing := [name for name in COLUMNS if values.get(name) is None and not _optional(name)]:
-        raise ValueError(f"missing columns: {', '.join(missing)}")
-    if unknown := [str(name) for name in values if name not in COLUMNS]:
-        raise ValueError(f"unknown columns: {', '.join(unknown)}")
-    return FlightRow(**{name: _parse(name, values.get(name)) for name in COLUMNS})
-
-
-def write_rows(path: str | os.PathLike[str], rows: Iterable[FlightRow]) -> None:
-    """Write the CSV, all or nothing; numbers as their shortest exact text."""
-    lines = [_line(COLUMNS)]
-    lines += [_line([_text(value) for value in to_mapping(row).values()]) for row in rows]
-    with atomic_write(path) as file:
-        file.write("".join(lines).encode())
-
-
-def read_rows(path: str | os.PathLike[str]) -> list[FlightRow]:
-    """Read what `write_rows` wrote.
-
-    Raises:
-        OSError: if the file cannot be read.
-        ValueError: naming the file, the line and what is wrong with it.
-    """
-    try:
-        with Path(path).open(newline="", encoding="utf-8") as file:
-            reader = csv.DictReader(file, restkey="beyond the last column")
-            rows = [_read_line(path, reader.line_num, line) for line in reader]
-            if not set(COLUMNS) - set(_DEFAULTS) <= set(reader.fieldnames or ()):  # no line told
-                raise ValueError(f"{path}: missing columns, it is not a table of flights")
-            return rows
-    except (UnicodeDecodeError, csv.Error) as error:
-        raise ValueError(f"{path} is not a table of flights: {error}") from error
-
-
-def _line(cells: Sequence[str]) -> str:
-    # With its own line ending the writer also quotes a lone carriage return.
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\r\n").writerow(cells)
-    return text.getvalue().removesuffix("\r\n") + "\n"
-
-
-def _read_line(path: str | os.PathLike[str], number: int, line: Mapping[str, Any]) -> FlightRow:
-    try:
-        return from_mapping(line)
-    except ValueError as error:
-        raise ValueError(f"{path}, line {number}: {error}") from error
-
-
-def _optional(name: str) -> bool:
-    return isinstance(_TYPES[name], types.UnionType)
-
-
-def _text(value: object) -> str:
-    if value is None:
-        return ""
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    return repr(value) if isinstance(value, float) else str(value)
-
-
-def _parse(name: str, value: Any) -> Any:
-    kind = _TYPES[name]
-    if _optional(name):
-        if value in (None, ""):
-            return None
-        kind = float
-    try:
-        if kind is bool:
-            return {"yes": True, "no": False, True: True, False: False}[value]
-        number = kind(value)
-    except (KeyError, TypeError, ValueError):
-        raise ValueError(f"{name}: {value!r} is not a {kind.__name__}") from None
-    if kind is float and math.isnan(number):
-        raise ValueError(f"{name}: not a number")
-    return number
+COLUMNS = FLIGHTS.columns
+write_rows = FLIGHTS.write
+read_rows = FLIGHTS.read
