@@ -28,7 +28,8 @@ def flight(planner: str, scenario: int, ratio: float = 2.0, kind: str = "binary"
     wanted = at_ratio(ratio, planner, kind)
     return row(
         key=f"{planner}{scenario}{ratio}{kind}",
-        planner=planner,
+        planner=wanted.planner,
+        refine=wanted.refine,
         scenario=scenario,
         length_weight=wanted.length_weight,
         priority_weight=wanted.priority_weight,
@@ -87,6 +88,10 @@ def test_flights_are_paired_by_scenario() -> None:
     assert (found.better, found.worse) == (3, 0)
     assert (found.baseline.collisions, found.challenger.collisions) == (0, 1)
     assert flown_maps(rows, ["lp-dijkstra", "sweep"], 2.0) == ["binary"]
+    rows += [flight("sweep+refine", i, penalty=0.1 * i - 0.5) for i in range(5)]
+    (refined,) = compare_all(rows, ["lp-dijkstra", "sweep+refine"], 2.0, ["binary"])
+    assert refined.pairs == 5 and refined.differences["penalty"].mean == pytest.approx(-0.5)
+    assert "| Sweep, refined – LP-Dijkstra | binary |" in markdown_comparisons([refined])
     text = markdown_comparisons([found])
     assert "| Sweep – LP-Dijkstra | binary | 3/4 | −0.053 [" in text
     assert "| 3 : 0 | 1, 0 |" in text

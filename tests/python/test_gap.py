@@ -33,7 +33,6 @@ SMALL = GapOptions(
     planners=("shortest", "lp-dijkstra", "additive", "bezier"),
     ratios=(2.0,),
     bands=("planar",),
-    reference="sweep",
 )
 
 
@@ -190,6 +189,7 @@ def test_plans_are_judged_by_the_weights_at_hand(rows: list[GapRow], queries: Qu
         judged = 0.5 * row.length / row.direct_length - 1.0 * row.mean_priority
         assert row.penalty == pytest.approx(judged)
         assert row.optimum is not None and row.gap == row.penalty - row.optimum
+        assert row.proved
         if row.planner in ("lp-dijkstra", "additive", "shortest"):
             assert row.gap >= -1e-9
         if row.bound is not None:
@@ -201,6 +201,13 @@ def test_plans_are_judged_by_the_weights_at_hand(rows: list[GapRow], queries: Qu
 
 
 CASE = Case("binary", "planar", 2.0)
+
+
+def test_refined_planners_are_named_and_no_worse(queries: QuerySet, tmp_path: Path) -> None:
+    options = dataclasses.replace(SMALL, planners=("ggwp", "ggwp+refine"), maps=("binary",))
+    found = {s.planner: s for s in summarise_gaps(run_gap(queries, options, tmp_path))}
+    assert found["ggwp+refine"].penalty < found["ggwp"].penalty
+    assert "GGWP, refined" in (markdown_gaps(read_gaps(tmp_path / TABLE)))
 
 
 def test_the_hull_holds_every_path(queries: QuerySet) -> None:
@@ -218,12 +225,25 @@ def test_the_hull_holds_every_path(queries: QuerySet) -> None:
                 best = np.min(alpha * hull[:, 0] - hull[:, 1])
                 assert alpha * landing.length - landing.priority >= best - 1e-6
         corners += len(hull)
+        front = view.front
+        assert front is not None and (np.diff(front[:, 0]) > 0).all()
+        assert (np.diff(most * front[:, 0] - front[:, 1]) < 0).all()
+        for corner in hull:  # supported paths are on the front
+            assert np.abs(front - corner).sum(axis=1).min() < 1e-6
+        for alpha in slopes:
+            best = np.min(alpha * hull[:, 0] - hull[:, 1])
+            assert np.min(alpha * front[:, 0] - front[:, 1]) >= best - 1e-6
         edge = view.envelope(3.0)
         assert (np.diff(edge[:, 0]) > 0).all() and edge[-1, 0] == pytest.approx(3.0)
         np.testing.assert_allclose(edge[0], plane(hull[:1], query.direct_length)[0])
     assert corners > 3 * len(queries.queries)
     with pytest.raises(ValueError, match="there are"):
         survey(queries, len(queries.queries), CASE, contenders)
+
+
+def test_a_front_that_needs_too_much_memory_is_left_out(queries: QuerySet) -> None:
+    view = survey(queries, 0, CASE, [Contender("lp-dijkstra")], memory=1e-6)
+    assert view.front is None and len(view.hull)
 
 
 def test_a_hull_needs_a_path(queries: QuerySet) -> None:
@@ -246,7 +266,11 @@ def test_the_front_figure_names_every_path(queries: QuerySet, tmp_path: Path) ->
         view.landings, ("LP-Dijkstra", "Sweep", "Shortest path"), strict=True
     ):
         assert f"{title}:  {landing.penalty:.3f}" in written.replace("−", "-")
-    assert "no grid path lies above it" in written and "certificate:" in written
+    assert (
+        "no grid path lies above it" in written
+        and "exact front:" in written
+        and "certificate of Sweep" in written
+    )
     assert ATTRIBUTION in written
     drawn = [line.get_xydata() for line in figure.axes[0].lines]
     for landing in view.landings:
@@ -281,6 +305,7 @@ def test_the_gap_figure_counts_queries(rows: list[GapRow], tmp_path: Path) -> No
         ({"planners": []}, "nothing to compare"),
         ({"ratios": [-1.0]}, "ratio"),
         ({"expansions": -1}, "expansions"),
+        ({"memory": 0.0}, "memory"),
     ],
 )
 def test_wrong_options_are_named(wrong: dict, complaint: str) -> None:

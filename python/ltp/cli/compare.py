@@ -25,7 +25,10 @@ def compare(
     ],
     planners: Annotated[
         str,
-        typer.Option(help="The baseline, then one or more to hold against it, commas between."),
+        typer.Option(
+            help="The baseline, then one or more to hold against it, commas between; `NAME+refine` "
+            "is one with its paths refined."
+        ),
     ] = "lp-dijkstra,sweep",
     ratio: Annotated[float, typer.Option(help="W_P / W_L that they were flown at.")] = 2.0,
     maps: Annotated[
@@ -57,11 +60,11 @@ def compare(
 
 def _tell(comparison: "Comparison") -> None:
     from ltp.evaluation.compare import MEASURES, interval_text
-    from ltp.evaluation.tables import planner_title
+    from ltp.evaluation.tables import named_title
 
     a, b = comparison.baseline, comparison.challenger
     console.print(
-        f"{planner_title(b.planner)} less {planner_title(a.planner)}, {b.priority_map} map, "
+        f"{named_title(b.planner)} less {named_title(a.planner)}, {b.priority_map} map, "
         f"W_P/W_L = {b.ratio:g}: {comparison.pairs} pairs of {comparison.flown}",
         style="bold",
         markup=False,

@@ -73,7 +73,10 @@ def gap(
             "--reference-planner",
             help="Whose answer is the optimum, where it proves it.",
         ),
-    ] = "sweep",
+    ] = "pareto",
+    memory: Annotated[
+        float, typer.Option(help="That the reference planner may use, if it is pareto [MB].")
+    ] = 2048.0,
     expansions: Annotated[
         int, typer.Option(help="The reference planner gives up after so many; 0: no limit.")
     ] = 0,
@@ -110,6 +113,7 @@ def gap(
         bands=names(bands),
         reference=optimum,
         expansions=expansions,
+        memory=memory,
         **chosen,
     )
     place, settings = open_world(world), open_config(config)

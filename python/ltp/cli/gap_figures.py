@@ -3,7 +3,7 @@
 """`ltp figure front`, `gap`, `curve`: planners against the optimum, and against each other."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -38,18 +38,22 @@ def front(
     planners: Annotated[
         str, typer.Option(help="Planners to draw, commas between, as in `ltp gap` (default: all).")
     ] = "",
+    memory: Annotated[float, typer.Option(help="For the exact front [MB].")] = 2048.0,
     out: Out = Path("out/front.png"),
 ) -> None:
     """Draw all that one recorded query offers: front, hull, certificate, planners' paths."""
     from ltp.evaluation.front import survey
-    from ltp.evaluation.gap import GapOptions
+    from ltp.evaluation.gap import SHORTEST, Contender, GapOptions
     from ltp.evaluation.gap_figures import front_figure
+    from ltp.planners import PLANNERS
 
     queries = _queries(folder)
-    chosen: dict[str, Any] = {"planners": names(planners)} if planners else {}
-    options = GapOptions(maps=[priority_map], bands=[band], ratios=[ratio], **chosen)
+    (case,) = GapOptions(maps=[priority_map], bands=[band], ratios=[ratio]).cases()
+    contenders = [Contender(name) for name in names(planners) or (SHORTEST, *PLANNERS)]
     with console.status("planning"):
-        view = survey(queries, query, options.cases()[0], options.contenders())
+        view = survey(queries, query, case, contenders, memory)
+    if view.front is None:
+        console.print(f"the exact front takes more than {memory:g} MB (--memory): left out")
     write_figure(front_figure(view, queries.world, queries.attribution), out)
 
 

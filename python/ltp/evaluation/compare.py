@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from .bootstrap import Interval, mean_interval
 from .rows import FlightRow
-from .tables import planner_title
+from .tables import named_title
 from .variants import PRIORITY_MAPS, Variant, at_ratio
 
 #: What is compared: column of `FlightRow` -> how it is called.
@@ -122,8 +122,8 @@ def flown_maps(rows: Iterable[FlightRow], planners: Sequence[str], ratio: float)
 def cells(comparison: Comparison) -> list[str]:
     """A line of a table."""
     return [
-        f"{planner_title(comparison.challenger.planner)} – "
-        f"{planner_title(comparison.baseline.planner)}",
+        f"{named_title(comparison.challenger.planner)} – "
+        f"{named_title(comparison.baseline.planner)}",
         comparison.challenger.priority_map,
         f"{comparison.pairs}/{comparison.flown}",
         *(interval_text(comparison.differences[name]) for name in MEASURES),

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from .backdrop import FAINT, INK, caption, draw_legend, map_title, plain_axes
 from .rows import FlightRow
-from .tables import planner_title
-from .variants import PRIORITY_MAPS
+from .tables import named_title
+from .variants import PRIORITY_MAPS, Variant
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -51,7 +51,8 @@ def curves(
     flights: dict[tuple[str, float], dict[tuple[int, int], FlightRow]] = {}
     for row in rows:
         if row.priority_map == priority_map and row.length_weight:
-            ended = flights.setdefault((row.planner, row.priority_weight / row.length_weight), {})
+            flown = Variant(*row.variant)
+            ended = flights.setdefault((flown.name, flown.ratio), {})
             if row.outcome == "reached":
                 ended[row.seed, row.scenario] = row
     ratios: dict[str, list[float]] = {}
@@ -134,7 +135,7 @@ def _draw(axes: "Axes", curve: Curve, colour: str, marker: str, below: bool) -> 
         marker=marker,
         ms=6.5,
         mec="white",
-        label=planner_title(curve.planner),
+        label=named_title(curve.planner),
     )
     for x, y, ratio in zip(curve.length, curve.priority, curve.ratios, strict=True):
         axes.annotate(

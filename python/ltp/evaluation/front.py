@@ -3,18 +3,21 @@
 """What paths one query offers, by length and priority, and which ones planners take."""
 
 import itertools
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ltp._core import LinearisedOptions, PlanStatus, Query, Scene
+from ltp._core import LinearisedOptions, ParetoOptions, PlanStatus, Query, Scene
 from ltp.planners import make_planner
 
 from .gap import Case, Contender
 from .queries import BANDS, QuerySet
 from .variants import Variant, at_ratio
+
+EXACT = "pareto"  # the planner that knows fronts
 
 _SEARCHES = 200  # for a hull, at most
 _NEAR = 1e-6  # nearer together two tallies are one [m]
@@ -40,7 +43,7 @@ class FrontView:
     direct_length: float  # [m]
     most: float  # the largest priority
     hull: NDArray[np.float64]  # (h, 2) supported tallies, by length: the best of alpha L - P
-    front: NDArray[np.float64] | None  # (k, 2) all tallies that nothing dominates, by length
+    front: NDArray[np.float64] | None  # (k, 2) see `exact_front`
     landings: list[Landing]
 
     @property
@@ -49,9 +52,10 @@ class FrontView:
         return at_ratio(self.case.ratio)
 
     @property
-    def bound(self) -> float | None:
-        """The best certificate that a planner gave."""
-        return max((b.bound for b in self.landings if b.bound is not None), default=None)
+    def certificate(self) -> Landing | None:
+        """The plan with the best bound, but for the exact one: its bound is its own penalty."""
+        bounded = [b for b in self.landings if b.bound is not None and b.planner != EXACT]
+        return max(bounded, key=lambda b: -math.inf if b.bound is None else b.bound, default=None)
 
     def envelope(self, longest: float) -> NDArray[np.float64]:
         """Above it lies no path: (n, 2) in the plane, through all corners of the hull.
@@ -75,9 +79,16 @@ def survey(
     index: int,
     case: Case,
     contenders: Sequence[Contender],
+    memory: float = 2048.0,
 ) -> FrontView:
-    """Ask every contender one query, and find the hull of all paths and, if it can be had, the
-    front.
+    """Ask every contender one query, and find the front of all paths and its hull.
+
+    Args:
+        queries: the recorded ones.
+        index: which of them.
+        case: map, band and weights.
+        contenders: to ask.
+        memory: for the front [MB]; the view has none if it needs more.
 
     Raises:
         ValueError: if there is no such query, or it has no path.
@@ -95,7 +106,17 @@ def survey(
             sums = plan.tally
             landings.append(Landing(contender.name, sums.length, sums.priority, penalty, bound))
     hull = supported(scene, query, most)
-    return FrontView(case, index, recorded.direct_length, most, hull, None, landings)
+    front = exact_front(scene, query, memory)
+    return FrontView(case, index, recorded.direct_length, most, hull, front, landings)
+
+
+def exact_front(scene: Scene, query: Query, memory: float) -> NDArray[np.float64] | None:
+    """The tallies (k, 2) of all paths of which none is both shorter and over better ground.
+
+    None if that takes more than `memory` [MB].
+    """
+    found = make_planner(EXACT, pareto=ParetoOptions(memory=memory)).front(scene, query)
+    return np.asarray(found.tallies) if found.status == PlanStatus.FOUND else None
 
 
 def supported(scene: Scene, query: Query, most: float) -> NDArray[np.float64]:

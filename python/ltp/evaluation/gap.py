@@ -11,6 +11,7 @@ import functools
 import hashlib
 import itertools
 import json
+import math
 import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -20,13 +21,13 @@ from typing import Any, Protocol
 import numpy as np
 
 from ltp import _core
-from ltp._core import LinearisedOptions, Plan, Planner, PlanStatus, Scene, penalty
+from ltp._core import LinearisedOptions, ParetoOptions, Plan, Planner, PlanStatus, Scene, penalty
 from ltp.planners import PLANNERS, make_planner
 
 from .journal import RowJournal
 from .queries import BANDS, QuerySet
 from .row_table import RowTable
-from .variants import PRIORITY_MAPS, at_ratio
+from .variants import PRIORITY_MAPS, REFINE, at_ratio
 
 JOURNAL = "journal.jsonl"
 TABLE = "gap.csv"
@@ -38,7 +39,6 @@ BASELINE = "lp-dijkstra"
 OPTIMUM = "optimum"
 
 PROVED = 1e-6  # of Eq. 5: an answer so close to its own bound is the optimum
-_REFINE = "+refine"
 _OFF_GRID = ("bezier", "bug", "hermite")  # their paths need not follow the grid's steps
 _KEY_LENGTH = 20
 
@@ -103,17 +103,17 @@ class Contender:
     def __post_init__(self) -> None:
         if self.name != SHORTEST and self.planner not in PLANNERS:
             known = ", ".join((SHORTEST, *PLANNERS))
-            raise ValueError(f"planner {self.name!r} is none of {known} (or one with {_REFINE})")
+            raise ValueError(f"planner {self.name!r} is none of {known} (or one with {REFINE})")
 
     @property
     def planner(self) -> str:
         """Its planner, one of `ltp.PLANNERS`."""
-        return BASELINE if self.name == SHORTEST else self.name.removesuffix(_REFINE)
+        return BASELINE if self.name == SHORTEST else self.name.removesuffix(REFINE)
 
     @property
     def refined(self) -> bool:
         """Whether paths are shortened between cells, and may so be better than any grid path."""
-        return self.name.endswith(_REFINE)
+        return self.name.endswith(REFINE)
 
     def make(self, ratio: float, **options: Any) -> Planner:
         """The planner for weights of this ratio."""
@@ -147,8 +147,9 @@ class GapOptions:
     ratios: Sequence[float] = (0.5, 1.0, 2.0, 5.0)  # W_P / W_L
     maps: Sequence[str] = PRIORITY_MAPS
     bands: Sequence[str] = tuple(BANDS)
-    reference: str = "sweep"  # the planner whose answer is the optimum where it proves it
+    reference: str = "pareto"  # the planner whose answer is the optimum where it proves it
     expansions: int = 0  # the reference gives up after so many; 0: no limit
+    memory: float = 2048.0  # the reference, if it is `pareto`, gives up beyond it [MB]
 
     def __post_init__(self) -> None:
         for name, given, known in (
@@ -165,6 +166,8 @@ class GapOptions:
             at_ratio(ratio)
         if self.expansions < 0:
             raise ValueError(f"expansions must be >= 0, not {self.expansions!r}")
+        if not (math.isfinite(self.memory) and self.memory > 0.0):
+            raise ValueError(f"memory must be above zero [MB], not {self.memory!r}")
         self.contenders()
 
     def contenders(self) -> list[Contender]:
@@ -272,7 +275,7 @@ def _optimum(group: Sequence[GapRow]) -> tuple[float | None, float | None]:
             continue
         if row.penalty - row.bound <= PROVED:
             return row.penalty, row.bound
-    on_grid = [row for row in group if not row.planner.endswith((*_OFF_GRID, _REFINE))]
+    on_grid = [row for row in group if not row.planner.endswith((*_OFF_GRID, REFINE))]
     penalties = [row.penalty for row in on_grid if row.penalty is not None]
     bounds = [row.bound for row in on_grid if row.bound is not None]
     return min(penalties, default=None), max(bounds, default=None)
@@ -319,6 +322,8 @@ class _Series:
         self._options: dict[str, Any] = {}
         if contender is None:
             self._options["max_expansions"] = options.expansions
+            if options.reference == "pareto":
+                self._options["pareto"] = ParetoOptions(memory=options.memory)
             if options.reference == "sweep":  # not content with less than can be proved
                 self._options["linearised"] = LinearisedOptions(tolerance=0.0, searches=100)
         self.keys = [self._key(digest) for digest in digests]

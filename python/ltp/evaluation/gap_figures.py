@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .backdrop import FAINT, INK, caption, plain_axes
-from .front import FrontView, plane
+from .front import EXACT, FrontView, plane
 from .gap import OPTIMUM, GapRow
 from .gap_tables import CLOSE, case_title, contender_title, number
 
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 COLOURS = ("#e0409a", "#1f8be0", "#18b07b", "#f0a30a", "#e8602c", "#7d5fd0", "#3b2a6b", "#8a8f98")
 _MARKERS = ("o", "s", "D", "^", "v", "P", "X", "<", ">", "p", "h", "d")
 _DASHES: tuple[Any, ...] = ("-", (0, (4, 1.5)), (0, (1.2, 1.2)))
+_EXACT = ("#c8960c", "*")
 _IMPOSSIBLE = "#eceef2"
 _CERTIFIED = "#b3261e"
 
@@ -57,11 +58,12 @@ def front_figure(view: FrontView, world: str, attribution: str) -> "Figure":
     )
     if view.front is not None:
         front = plane(view.front, view.direct_length)
-        style: dict[str, Any] = {"color": "#8f5d00", "mfc": "#ffc94d", "ms": 4.2, "mew": 0.6}
-        axes.plot(*front.T, ".", zorder=3.5, label=f"exact front: {len(front)} paths", **style)
+        style: dict[str, Any] = {"color": "#8f5d00", "mfc": "#ffc94d", "ms": 3.8, "mew": 0.6}
+        axes.plot(*front.T, "o", zorder=3.5, label=f"exact front: {len(front)} paths", **style)
     _bound(axes, view)
     ranked = sorted(view.landings, key=lambda landing: landing.penalty)
     style_of = {b.planner: _style(i) for i, b in enumerate(view.landings)}
+    style_of[EXACT] = _EXACT
     for rank, landing in enumerate(ranked):
         colour, marker = style_of[landing.planner]
         (at,) = plane(np.array([(landing.length, landing.priority)]), view.direct_length)
@@ -70,10 +72,10 @@ def front_figure(view: FrontView, world: str, attribution: str) -> "Figure":
             *at,
             marker,
             color=colour,
-            ms=12.0 - 0.35 * rank,  # the better one, drawn below, shows round the next
+            ms=17.0 if marker == "*" else 12.0 - 0.35 * rank,  # drawn below, it shows round others
             mec="white",
             mew=1.1,
-            zorder=5 + 0.01 * rank,
+            zorder=4.9 if marker == "*" else 5 + 0.01 * rank,
             label=label,
             ls="none",
         )
@@ -212,12 +214,13 @@ def _round_step(step: float) -> float:
 
 
 def _bound(axes: "Axes", view: FrontView) -> None:
-    weights, bound = view.weights, view.bound
-    if bound is None or not weights.priority_weight:
+    weights, surest = view.weights, view.certificate
+    if surest is None or surest.bound is None or not weights.priority_weight:
         return
     xs = np.array(axes.get_xlim())
-    ys = (weights.length_weight * xs - bound) / weights.priority_weight
-    label = f"certificate: no grid path has Eq. 5 < {bound:.3f}".replace("-", "−")
+    ys = (weights.length_weight * xs - surest.bound) / weights.priority_weight
+    label = f"certificate of {contender_title(surest.planner)}:\nno path has Eq. 5 < "
+    label += number(surest.bound)
     axes.plot(xs, ys, color=_CERTIFIED, lw=1.5, ls=(0, (5, 2.5)), zorder=4, label=label)
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .gap import BASELINE, OPTIMUM, SHORTEST, Case, GapRow
-from .tables import planner_title
+from .tables import named_title
 
 #: A gap, and the width of a certificate, that is as good as none; of Eq. 5.
 CLOSE = 0.01
@@ -134,8 +134,7 @@ def case_title(case: Case) -> str:
 def contender_title(name: str) -> str:
     """How tables and figures name a row's planner."""
     special = {SHORTEST: "Shortest path", OPTIMUM: "Optimum"}
-    base, _, refined = name.partition("+")
-    return special.get(name, planner_title(base)) + (", refined" if refined else "")
+    return special.get(name) or named_title(name)
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ import numpy as np
 
 from .paper import PAPER, PaperRow
 from .rows import FlightRow
-from .variants import TABLE_I, TABLE_II, Variant, with_refined
+from .variants import REFINE, TABLE_I, TABLE_II, Variant, with_refined
 
 _NAMES = {
     "lp-dijkstra": "LP-Dijkstra",
@@ -179,6 +179,11 @@ def csv_table(summaries: Iterable[Summary]) -> str:
 def planner_title(name: str, refine: bool = False) -> str:
     """How the paper writes a planner's name; and whether its paths are refined."""
     return _NAMES.get(name, name) + (", refined" if refine else "")
+
+
+def named_title(name: str) -> str:
+    """The same for a name that may end in `variants.REFINE`."""
+    return planner_title(name.removesuffix(REFINE), name.endswith(REFINE))
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,9 @@ from ltp.planners import PLANNERS
 
 PRIORITY_MAPS = ("binary", "lpf")
 
+#: After a planner's name: the planner with its paths refined.
+REFINE = "+refine"
+
 
 @dataclass(frozen=True)
 class Variant:
@@ -39,6 +42,11 @@ class Variant:
     def ratio(self) -> float:
         """W_P / W_L; inf for W_L = 0."""
         return self.priority_weight / self.length_weight if self.length_weight else math.inf
+
+    @property
+    def name(self) -> str:
+        """The planner's name, with `REFINE` if its paths are refined."""
+        return self.planner + (REFINE if self.refine else "")
 
     @property
     def refined(self) -> "Variant":
@@ -82,12 +90,17 @@ def at_ratio(ratio: float, planner: str = "lp-dijkstra", priority_map: str = "bi
     """The variant of a given W_P / W_L; 0 and 2 are those of the tables.
 
     Only the ratio matters to LP-Dijkstra: a common factor of both weights changes no comparison.
+
+    Args:
+        ratio: W_P / W_L.
+        planner: its name, which may end in `REFINE`.
+        priority_map: "binary" or "lpf".
     """
     if not (math.isfinite(ratio) and ratio >= 0.0):
         raise ValueError(f"ratio W_P / W_L must be finite and >= 0, not {ratio!r}")
-    if ratio == 0.0:
-        return Variant(planner, 1.0, 0.0, priority_map)
-    return Variant(planner, 0.5, 0.5 * ratio, priority_map)
+    weights = (1.0, 0.0) if ratio == 0.0 else (0.5, 0.5 * ratio)
+    name, refine = planner.removesuffix(REFINE), planner.endswith(REFINE)
+    return Variant(name, *weights, priority_map, refine)
 
 
 def sweep(ratios: Iterable[float] = SWEEP_RATIOS, planner: str = "lp-dijkstra") -> list[Variant]:
