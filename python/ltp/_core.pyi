@@ -10,7 +10,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['BezierOptions', 'Front', 'GridFrame', 'HeightSurface', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'ParetoOptions', 'PathTally', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'WayPointEvent', 'closest_point', 'flood_fill', 'inflate', 'path_length', 'penalty', 'planner_names', 'point_at', 'resample', 'tally']
+__all__: list[str] = ['AraOptions', 'BezierOptions', 'BugOptions', 'Front', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'ParetoOptions', 'PathTally', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'WayPointEvent', 'closest_point', 'flood_fill', 'inflate', 'path_length', 'penalty', 'planner_names', 'point_at', 'resample', 'tally']
 class Pose:
     """
     Where a body is and how it is turned (world ENU, body x forward, y left, z up).
@@ -939,14 +939,126 @@ class ParetoOptions:
     @memory.setter
     def memory(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
+class AraOptions:
+    """
+    The weights of `ara-star`.
+    """
+    __fields__: typing.ClassVar[tuple] = ('first_weight', 'step')
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def first_weight(self) -> float:
+        """
+        of the heuristic in the first round, 1 to 100
+        """
+    @first_weight.setter
+    def first_weight(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def step(self) -> float:
+        """
+        by which it falls from round to round, to 1; >= 0.01
+        """
+    @step.setter
+    def step(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+class RiskOptions:
+    """
+    The cost of `risk-a-star`.
+    """
+    __fields__: typing.ClassVar[tuple] = ('length_factor')
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def length_factor(self) -> float:
+        """
+        what a metre costs beside its risk (0 to 1 a metre); > 0
+        """
+    @length_factor.setter
+    def length_factor(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+class BugOptions:
+    """
+    The sensor of `bug`.
+    """
+    __fields__: typing.ClassVar[tuple] = ('range')
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def range(self) -> float:
+        """
+        how far it sees [m], >= 0; 0: only what it touches
+        """
+    @range.setter
+    def range(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+class HermiteOptions:
+    """
+    The optimised curve of `hermite`.
+    """
+    __fields__: typing.ClassVar[tuple] = ('segments', 'starts', 'reach', 'refined', 'iterations')
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def iterations(self) -> int:
+        """
+        rounds of the optimisation of each
+        """
+    @iterations.setter
+    def iterations(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def reach(self) -> float:
+        """
+        the largest of them, in direct lengths
+        """
+    @reach.setter
+    def reach(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def refined(self) -> int:
+        """
+        the best so many of those curves are optimised
+        """
+    @refined.setter
+    def refined(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def segments(self) -> int:
+        """
+        straight pieces of the curve
+        """
+    @segments.setter
+    def segments(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def starts(self) -> int:
+        """
+        sideways tangents tried at each end to begin with; odd
+        """
+    @starts.setter
+    def starts(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
 class PlannerOptions:
     """
     What every planner can be told.
     """
-    __fields__: typing.ClassVar[tuple] = ('length_weight', 'priority_weight', 'max_expansions', 'scaled_heuristic', 'bezier', 'linearised', 'pareto')
+    __fields__: typing.ClassVar[tuple] = ('length_weight', 'priority_weight', 'max_expansions', 'scaled_heuristic', 'bezier', 'linearised', 'pareto', 'ara', 'risk', 'bug', 'hermite')
+    ara: AraOptions
     bezier: BezierOptions
+    bug: BugOptions
+    hermite: HermiteOptions
     linearised: LinearisedOptions
     pareto: ParetoOptions
+    risk: RiskOptions
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
