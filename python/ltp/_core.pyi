@@ -877,7 +877,7 @@ class LinearisedOptions:
     """
     The additive searches of `additive` and `sweep`.
     """
-    __fields__: typing.ClassVar[tuple] = ('alpha', 'tolerance', 'searches', 'effort')
+    __fields__: typing.ClassVar[tuple] = ('alpha', 'tolerance', 'searches', 'effort', 'closing')
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
@@ -889,6 +889,14 @@ class LinearisedOptions:
         """
     @alpha.setter
     def alpha(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def closing(self) -> int:
+        """
+        labels and cells that `sweep` may spend on closing the gap that is left
+        """
+    @closing.setter
+    def closing(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
     @property
     def effort(self) -> int:

@@ -76,7 +76,7 @@ Traits traits_of(const std::string& name) {
     traits.most = [](const PlannerOptions&, std::int64_t cells) { return 3 * cells; };
   } else if (name == "sweep" || name == "auto") {
     traits.most = [](const PlannerOptions& o, std::int64_t cells) {
-      return o.linearised.searches * cells;
+      return o.linearised.searches * cells + o.linearised.closing;
     };
   } else if (name == "ara-star") {  // one search a weight
     traits.most = [](const PlannerOptions& o, std::int64_t cells) {
@@ -303,7 +303,6 @@ TEST_P(PlannerContract, StopsWhenItIsInterrupted) {
   int longest = 0;
   for (const bool start : {true, false}) {
     Situation sealed = sealed_off(start);
-    if (traits_.repairs) planner = make(PlannerOptions{});
     int asked = 0;
     sealed.query.interrupted = [&] { return ++asked, false; };
     const Plan whole = planner->plan(sealed.scene(), sealed.query);
@@ -312,6 +311,7 @@ TEST_P(PlannerContract, StopsWhenItIsInterrupted) {
     longest = std::max(longest, asked);
     const int stop = asked / 2;
     if (asked == 0) continue;
+    if (traits_.repairs) planner = make(PlannerOptions{});
     asked = 0;
     sealed.query.interrupted = [&] { return ++asked > stop; };
     const Plan stopped = planner->plan(sealed.scene(), sealed.query);
@@ -388,6 +388,7 @@ TEST_P(PlannerContract, NamesTheOptionThatIsWrong) {
       {"pareto.eps", [](PlannerOptions& o) { o.pareto.eps = -0.1; }},
       {"pareto.eps", [](PlannerOptions& o) { o.pareto.eps = kNan; }},
       {"linearised.effort", [](PlannerOptions& o) { o.linearised.effort = -1; }},
+      {"linearised.closing", [](PlannerOptions& o) { o.linearised.closing = -1; }},
       {"ara.first_weight", [](PlannerOptions& o) { o.ara.first_weight = 0.9; }},
       {"ara.first_weight", [](PlannerOptions& o) { o.ara.first_weight = kNan; }},
       {"ara.step", [](PlannerOptions& o) { o.ara.step = 0.0; }},

@@ -39,8 +39,9 @@ class Traits:
     most: Callable[[int], int] = lambda cells: cells  # that it expands in so many cells
 
 
+SWEPT = ltp.LinearisedOptions()
 SWEEP = Traits(
-    anytime=True, remembers=True, most=lambda cells: ltp.LinearisedOptions().searches * cells
+    anytime=True, remembers=True, most=lambda cells: SWEPT.searches * cells + SWEPT.closing
 )
 TRAITS = dict.fromkeys(ltp.PLANNERS, Traits()) | {
     "bezier": Traits(complete=False, most=lambda _: 7 * 7),

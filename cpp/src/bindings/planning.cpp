@@ -154,8 +154,10 @@ void bind_options(py::module_& m) {
                      "of Eq. (5): `sweep` stops when path and bound are this close")
       .def_readwrite("searches", &ltp::LinearisedOptions::searches, "that `sweep` makes at most")
       .def_readwrite("effort", &ltp::LinearisedOptions::effort,
-                     "expansions that `sweep` may spend after its first path; 0: no limit");
-  list_fields(linearised, {"alpha", "tolerance", "searches", "effort"});
+                     "expansions that `sweep` may spend after its first path; 0: no limit")
+      .def_readwrite("closing", &ltp::LinearisedOptions::closing,
+                     "labels and cells that `sweep` may spend on closing the gap that is left");
+  list_fields(linearised, {"alpha", "tolerance", "searches", "effort", "closing"});
 
   auto pareto = py::class_<ltp::ParetoOptions>(m, "ParetoOptions", "The exact search of `pareto`.");
   pareto.def(py::init(&from_keywords<ltp::ParetoOptions>))

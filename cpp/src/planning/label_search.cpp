@@ -30,9 +30,13 @@ PlanStatus LabelSearch::run(const LabelTask& task, const Budget& budget, SearchS
   }
   critical_.assign(task.graph.size(), -1);
   criticals_ = 0;
+  proved_ = 0.0;
   while (true) {
     if (!solve_relaxed(budget, stats, best)) return PlanStatus::OutOfBudget;
-    if (walk_value_ == kInfinity) return PlanStatus::Found;
+    if (walk_value_ == kInfinity) {
+      proved_ = enough_;
+      return PlanStatus::Found;
+    }
     if (!add_critical()) return PlanStatus::OutOfBudget;
   }
 }
@@ -57,6 +61,7 @@ bool LabelSearch::solve_relaxed(const Budget& budget, SearchStats& stats, Incumb
   while (!open_.empty()) {
     const OpenEntry entry = open_.pop();
     if (entry.f >= enough_) break;
+    proved_ = std::max(proved_, entry.f);  // best first: whatever is left is no better
     const Label label = labels_[entry.cell];
     if (label.dominated) continue;
     ++stats.expanded;

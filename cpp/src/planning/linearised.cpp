@@ -15,6 +15,7 @@ namespace ltp {
 namespace {
 
 constexpr double kSameAlpha = 1e-4;
+constexpr double kClosingMemory = 32e6;  // bytes
 constexpr int kRoundsOfNarrowing = 3;
 constexpr double kWorthNarrowing = 0.01;  // of the largest priority
 
@@ -105,6 +106,7 @@ void LinearisedPlanner::search(const Scene& scene, const Query& query, const Gri
   std::vector<double> tried;
   const auto slope = [&] { return bound.alpha_at(best.tally.length, best.tally.mean_priority()); };
   bool shortest_known = false;
+  bool stopped = false;
   for (int i = 0; i < max_searches_; ++i) {
     const bool shortest = alpha == 0.0;
     const AdditiveResult found = run(shortest ? AdditiveCost{1.0, 0.0} : AdditiveCost{alpha, 1.0});
@@ -126,7 +128,8 @@ void LinearisedPlanner::search(const Scene& scene, const Query& query, const Gri
     }
     const PenaltyBound::Point lowest = bound.lowest();
     if (aligned(frame, scene.priority)) best.bound = std::min(lowest.value, best.penalty);
-    if (found.status != PlanStatus::Found) break;
+    stopped = found.status != PlanStatus::Found;
+    if (stopped) break;
     if (best.penalty - lowest.value <= options_.linearised.tolerance) break;
     // Where the bound lies on a corner of two constraints, the slope there cuts the corner off.
     // Where it lies on one of them, the slope is that search's own: then the shortest path tells
@@ -143,6 +146,20 @@ void LinearisedPlanner::search(const Scene& scene, const Query& query, const Gri
       alpha = usable(slope());
     } else {
       break;
+    }
+  }
+  const LinearisedOptions& options = options_.linearised;
+  const bool open = best.bound && best.penalty - *best.bound > options.tolerance;
+  if (open && !stopped && max_searches_ > 1 && options.closing > 0 &&
+      options_.weights.length > 0.0) {
+    const std::int64_t enough = best.stats.expanded + options.closing;
+    const std::int64_t most_expanded =
+        options_.max_expansions > 0 ? std::min(options_.max_expansions, enough) : enough;
+    const Budget budget(most_expanded, query.interrupted);
+    exact_.improve(scene, query, cells, options_.weights, {0.0, options.tolerance, kClosingMemory},
+                   budget, best);
+    if (exact_.proved()) {
+      best.bound = std::min(best.penalty, std::max(*best.bound, *exact_.proved()));
     }
   }
   last_goal_ = query.goal;

@@ -50,7 +50,9 @@ std::unique_ptr<Planner> sweep(std::string_view name, const PlannerOptions& opti
 std::unique_ptr<Planner> automatic(std::string_view name, const PlannerOptions& options) {
   constexpr std::int64_t kEffort = 20000;
   PlannerOptions bounded = options;
-  if (bounded.linearised.effort == 0) bounded.linearised.effort = kEffort;
+  LinearisedOptions& limits = bounded.linearised;
+  if (limits.effort == 0) limits.effort = kEffort;
+  limits.closing = std::min(limits.closing, kEffort);
   return sweep(name, bounded);
 }
 
@@ -121,6 +123,9 @@ void PlannerOptions::check() const {
   }
   if (linearised.effort < 0) {
     check::fail("linearised.effort", linearised.effort, "a number >= 0");
+  }
+  if (linearised.closing < 0) {
+    check::fail("linearised.closing", linearised.closing, "a number >= 0");
   }
   check::positive("pareto.memory", pareto.memory);
   check::not_negative("pareto.eps", pareto.eps);

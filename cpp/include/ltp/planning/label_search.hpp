@@ -66,6 +66,9 @@ class LabelSearch {
   /// optimum. OutOfBudget: expansions, memory, or more than 64 critical nodes.
   PlanStatus run(const LabelTask& task, const Budget& budget, SearchStats& stats, Incumbent& best);
 
+  /// No simple path has a smaller F, however the last run ended.
+  double proved() const { return proved_; }
+
  private:
   struct Label {
     StepCost sum;
@@ -88,8 +91,9 @@ class LabelSearch {
   bool add_critical();
 
   const LabelTask* task_ = nullptr;
-  double enough_ = 0.0;      ///< only a smaller F is of interest
-  double floor_ = 0.0;       ///< no walk has a smaller F
+  double enough_ = 0.0;  ///< only a smaller F is of interest
+  double floor_ = 0.0;   ///< no walk has a smaller F
+  double proved_ = 0.0;
   double walk_value_ = 0.0;  ///< F of the best walk that is not simple
   std::vector<std::uint32_t> walk_;
   std::vector<std::int8_t> critical_;  ///< the number of each critical node; -1: is none

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "ltp/planning/additive_search.hpp"
+#include "ltp/planning/exact_search.hpp"
 #include "ltp/planning/penalty_bound.hpp"
 #include "ltp/planning/planner.hpp"
 
@@ -22,10 +23,11 @@ namespace ltp {
 ///
 /// Ends when the best path is within the tolerance of the bound, when another search could bring
 /// nothing new - then the path is the best supported one, and the true optimum lies between the
-/// bound and it - or when its effort is spent. For W_P = 0 one search is exact. Where alpha would
-/// have to be below the largest priority (long detours over the best ground pay), it is held just
-/// above: the bound stays valid and gets wider. The bound is given where the priority raster's
-/// cells are the grid's columns.
+/// bound and it - or when its effort is spent. A gap that is still open then is closed by
+/// `ExactSearch`, as far as `LinearisedOptions::closing` goes. For W_P = 0 one search is exact.
+/// Where alpha would have to be below the largest priority (long detours over the best ground pay),
+/// it is held just above: the bound stays valid and gets wider. The bound is given where the
+/// priority raster's cells are the grid's columns.
 ///
 /// It begins with a guess from the weights, or with the slope at its last path if that led to the
 /// same goal and is steeper: a larger alpha is a faster search for a shorter path.
@@ -38,6 +40,9 @@ class LinearisedPlanner final : public Planner {
   bool complete() const override { return true; }
   Plan plan(const Scene& scene, const Query& query) override;
 
+  /// Begins with a guess the next time.
+  void forget() { last_goal_.setConstant(std::numeric_limits<double>::quiet_NaN()); }
+
  private:
   void search(const Scene& scene, const Query& query, const GridQuery& cells, Plan& best);
   double narrow(const Scene& scene, const Query& query, double penalty, PenaltyBound& bound);
@@ -49,6 +54,7 @@ class LinearisedPlanner final : public Planner {
   PlannerOptions options_;
   AdditiveSearch search_;
   ColumnPriority priority_;
+  ExactSearch exact_;
   Point last_goal_ = Point::Constant(std::numeric_limits<double>::quiet_NaN());
   double last_alpha_ = 0.0;
 };

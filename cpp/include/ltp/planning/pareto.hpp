@@ -6,12 +6,11 @@
 
 #include <vector>
 
-#include "ltp/planning/additive_search.hpp"
 #include "ltp/planning/cell_graph.hpp"
 #include "ltp/planning/corridor.hpp"
+#include "ltp/planning/exact_search.hpp"
 #include "ltp/planning/front_search.hpp"
-#include "ltp/planning/label_search.hpp"
-#include "ltp/planning/penalty_bound.hpp"
+#include "ltp/planning/linearised.hpp"
 #include "ltp/planning/planner.hpp"
 #include "ltp/planning/step_costs.hpp"
 
@@ -27,9 +26,8 @@ struct Front {
 };
 
 /// Exact over the simple paths of the planners' graph: cell centres, 26 steps, start and goal in
-/// place of the centres of their cells. A few additive searches give a good path and leave over few
-/// cells (`Corridor`, then both ways over a `CellGraph`); on these, `LabelSearch` finds the
-/// optimum.
+/// place of the centres of their cells. A sweep gives a good path, `ExactSearch` goes on from
+/// there.
 ///
 /// `Plan::bound` is the optimum within 1e-9, where the priority raster's cells are the grid's
 /// columns; elsewhere priority is that of the columns' centres, and there is no bound. With
@@ -55,30 +53,19 @@ class ParetoPlanner final : public Planner {
   Front front(const Scene& scene, const Query& query, double eps = 0.0);
 
  private:
-  PlanStatus seed(const Scene& scene, const Query& query, const GridQuery& cells,
-                  const Budget& budget, Plan& best);
-  PlanStatus solve(const Scene& scene, const Query& query, const GridQuery& cells,
-                   const Budget& budget, Plan& best);
-  bool narrow(const Scene& scene, const GridQuery& cells, const ShiftedPenalty& penalty,
-              const Budget& budget, SearchStats& stats, PenaltyBound& bound, Incumbent& best);
-  bool guide(double beta, const ShiftedPenalty& penalty, const Budget& budget, SearchStats& stats,
-             PenaltyBound& bound, Incumbent& best);
-  void keep_alive(const Scene& scene, const GridQuery& cells, Incumbent& best);
   Path path_of(const GridFrame& frame, const Query& query,
                const std::vector<std::uint32_t>& chain) const;
 
   PlannerOptions options_;
-  AdditiveSearch search_;
+  LinearisedPlanner sweep_;
+  ExactSearch exact_;
+  // For the front.
   StepCosts costs_;
   Corridor corridor_;
   std::vector<Cell> cells_;
   CellGraph graph_;
-  std::vector<Guide> guides_;
   std::vector<double> length_to_goal_;
-  std::vector<double> from_start_;
-  std::vector<char> alive_;
   OpenList open_;
-  LabelSearch labels_;
   FrontSearch fronts_;
 };
 

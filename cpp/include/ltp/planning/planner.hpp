@@ -100,6 +100,8 @@ struct LinearisedOptions {
   double tolerance = 0.01;  ///< of Eq. (5): `sweep` stops when path and bound are this close, >= 0
   int searches = 12;        ///< that `sweep` makes at most, >= 1
   std::int64_t effort = 0;  ///< expansions that `sweep` may spend after its first path; 0: no limit
+  /// Labels and cells that `sweep` may spend on closing the gap that is left, >= 0.
+  std::int64_t closing = 300000;
 };
 
 /// The exact search, see `ParetoPlanner`.
