@@ -87,8 +87,8 @@ def passes_through(blocked: np.ndarray, path: np.ndarray, shrunk: float) -> bool
 
 def test_the_planners_are_those_of_the_paper_and_the_new_ones() -> None:
     assert ltp.PLANNERS[:5] == ("lp-dijkstra", "lp-a-star", "wlp-a-star", "ggwp", "bezier")
-    assert ltp.PLANNERS[5:7] == ("additive", "sweep")
-    assert ltp.PLANNERS[7:] == ("ara-star", "risk-a-star", "bug", "hermite", "auto")
+    assert ltp.PLANNERS[5:9] == ("additive", "sweep", "pareto", "incremental")
+    assert ltp.PLANNERS[9:] == ("ara-star", "risk-a-star", "bug", "hermite", "auto")
     assert list(TRAITS) == list(ltp.PLANNERS)
     assert [make(name).name for name in ltp.PLANNERS] == list(ltp.PLANNERS)
     assert {n: make(n).complete for n in ltp.PLANNERS} == {n: t.complete for n, t in TRAITS.items()}
