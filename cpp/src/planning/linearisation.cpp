@@ -11,15 +11,18 @@ namespace {
 // operating point the exact optima lie near by, and a wrong guess costs little.
 constexpr double kLikelyDetour = 1.1;
 constexpr double kLikelyPriority = 0.75;
+// Where steps over the best ground cost next to nothing a search wanders all over it, and a first
+// search cannot be cut short.
+constexpr double kLeastFirst = 1.1;
 
 }  // namespace
 
 double first_alpha(const PenaltyBound& bound, double direct_length, double most_priority,
                    double fixed) {
-  const double alpha =
-      fixed > 0.0 ? fixed
-                  : bound.alpha_at(kLikelyDetour * direct_length, kLikelyPriority * most_priority);
-  return std::max(alpha, bound.least_alpha());
+  if (fixed > 0.0) return std::max(fixed, bound.least_alpha());
+  const double likely =
+      bound.alpha_at(kLikelyDetour * direct_length, kLikelyPriority * most_priority);
+  return std::max({likely, kLeastFirst * most_priority, bound.least_alpha()});
 }
 
 bool aligned(const GridFrame& frame, const Raster& raster) {

@@ -52,7 +52,7 @@ std::unique_ptr<Planner> automatic(std::string_view name, const PlannerOptions& 
   PlannerOptions bounded = options;
   LinearisedOptions& limits = bounded.linearised;
   if (limits.effort == 0) limits.effort = kEffort;
-  limits.closing = std::min(limits.closing, kEffort);
+  limits.closing = 0;
   return sweep(name, bounded);
 }
 
