@@ -49,6 +49,7 @@ std::unique_ptr<Planner> sweep(std::string_view name, const PlannerOptions& opti
 /// What a UAV should fly: a sweep whose last searches cannot take much longer than its first.
 std::unique_ptr<Planner> automatic(std::string_view name, const PlannerOptions& options) {
   constexpr std::int64_t kEffort = 20000;
+  options.check();
   PlannerOptions bounded = options;
   LinearisedOptions& limits = bounded.linearised;
   if (limits.effort == 0) limits.effort = kEffort;
