@@ -36,7 +36,7 @@ help:  ## say what there is to make
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
 
 .PHONY: demo
-demo: $(STAMPS)/viewer  ## fly the built-in city with every planner, into out/demo
+demo: $(STAMPS)/viewer  ## fly the built-in city, into out/demo
 	@# A demo that was stopped goes on, but not with the flights of another build.
 	@[ out/demo/journal.jsonl -nt $(STAMPS)/package ] || rm -rf out/demo
 	$(BIN)/ltp demo --out out/demo

@@ -11,7 +11,7 @@ int main() {
     for (int iz = 0; iz < 10; ++iz) grid.set({50, iy, iz});  // a wall with a way round its end
   }
   const ltp::Raster priority(ltp::Raster::Values::Zero(100, 100), {0, 0}, 2.0);
-  const auto planner = ltp::make_planner("lp-a-star");
+  const auto planner = ltp::make_planner("auto");
   const ltp::Plan plan = planner->plan({grid, priority}, {{20, 20, 20}, {180, 20, 20}});
   std::cout << ltp::to_string(plan.status) << ", " << plan.tally.length << " m\n";
 }
