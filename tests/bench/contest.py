@@ -128,7 +128,9 @@ def compete(
         answers = _answers(work, contestant, shared, limits)
     except (ImportError, Unavailable) as reason:
         return Outcome(row | {"error": f"not available: {reason}"}, [])
-    if contestant.judge is not None and ours is not None:
+    if contestant.judge is not None and ours is None:
+        row["agreement"] = "nothing of ours to compare with"
+    elif contestant.judge is not None and ours is not None:
         asked = min(len(ours), len(answers))
         verdict = contestant.judge(ours[:asked], answers[:asked])
         row["agreement"] = verdict.text
@@ -153,6 +155,8 @@ def _timed(work: Work, contestant: Contestant, shared: Shared, limits: Limits) -
     set_up = time.process_time()
     solver = contestant.prepare(shared)
     set_up = time.process_time() - set_up
+    if not work.once:
+        solver.solve(0)  # some libraries build what they search only then
     deadline = time.process_time() + limits.seconds
     times: list[float] = []
     for question in range(min(limits.questions, work.questions(shared))):
@@ -229,6 +233,19 @@ def near(tolerance: float, share: float) -> Judge:
                 apart += int((~((np.abs(a - b) <= tolerance) | (a == b))).sum())
             count += a.size
         return Verdict(apart <= share * count, f"{apart} of {count} differ")
+
+    return judge
+
+
+def fields(lowest: float, highest: float) -> Judge:
+    """Distance fields: ours / theirs within [lowest, highest], from 20 m on, where both reach."""
+
+    def judge(ours: list[Any], theirs: list[Any]) -> Verdict:
+        ratios = []
+        for mine, other in zip(ours, theirs, strict=True):
+            compared = np.isfinite(mine) & np.isfinite(other) & (np.asarray(other) > 20.0)
+            ratios.append(mine[compared] / other[compared])
+        return lengths(lowest, highest)([np.concatenate(ratios)], [1.0])
 
     return judge
 

@@ -15,7 +15,7 @@ Blocked = NDArray[np.bool_]
 Step = tuple[int, int, int]
 
 STEPS: tuple[Step, ...] = tuple(
-    step for step in itertools.product((-1, 0, 1), repeat=3) if step != (0, 0, 0)
+    (x, y, z) for x, y, z in itertools.product((-1, 0, 1), repeat=3) if x or y or z
 )
 
 #: The bits of dijkstra3d's voxel graph, lowest first.

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The seeded work that every competitor is given: two maps, their queries, a raster and its rays."""
+"""The seeded work that everybody is given: two maps, their queries, a raster and its rays."""
 
 import hashlib
 from dataclasses import dataclass
@@ -71,7 +71,7 @@ class Town:
 
 def centres(cells: NDArray[np.int64]) -> Points:
     """The middle of cells (..., 3) [m]."""
-    return (cells + 0.5) * np.array(CELL)
+    return np.asarray((cells + 0.5) * np.array(CELL))
 
 
 def make_town() -> Town:
@@ -171,7 +171,9 @@ def make_sensing() -> Sensing:
         width, depth = rng.integers(10, 41, size=2)
         x, y = (int(rng.integers(0, EDGE - size)) for size in (width, depth))
         height = rng.uniform(10.0, 80.0)
-        near = (np.abs(line - [x + width / 2, y + depth / 2]) < [width / 2 + 9, depth / 2 + 9]).all(1)
+        near = (np.abs(line - [x + width / 2, y + depth / 2]) < [width / 2 + 9, depth / 2 + 9]).all(
+            1
+        )
         if near.any():  # the flight passes above
             height = min(height, ALTITUDE - 5.0)
         box = heights[x : x + width, y : y + depth]

@@ -23,9 +23,7 @@ def proof(name: str) -> Callable[[Shared], Solver]:
     return lambda shared: _planner(name, shared.town.hollow_grid, shared.town.sealed, _unreachable)
 
 
-def _planner(
-    name: str, grid: OccupancyGrid, pairs: Pairs, answer: Callable[[Plan], Any]
-) -> Solver:
+def _planner(name: str, grid: OccupancyGrid, pairs: Pairs, answer: Callable[[Plan], Any]) -> Solver:
     planner = make_planner(name, length_weight=1.0, priority_weight=0.0)
     scene = Scene(grid, Raster(np.zeros((1, 1))))
     ends = centres(pairs)

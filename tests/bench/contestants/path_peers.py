@@ -152,6 +152,3 @@ def ompl_bit_star(blocked: Blocked, pairs: Pairs, seconds: float) -> Solver:
         return setup.getSolutionPath().length() if setup.haveExactSolutionPath() else float("inf")
 
     return Solver(solve)
-
-
-
