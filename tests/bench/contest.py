@@ -8,12 +8,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import metadata
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .memory import peak, resident
 from .workload import Sensing, Town, make_sensing, make_town
 
 OURS = "ltp"
@@ -151,7 +151,7 @@ def _answers(work: Work, contestant: Contestant, shared: Shared, limits: Limits)
 
 
 def _timed(work: Work, contestant: Contestant, shared: Shared, limits: Limits) -> dict[str, Any]:
-    before = _resident()
+    before = resident()
     set_up = time.process_time()
     solver = contestant.prepare(shared)
     set_up = time.process_time() - set_up
@@ -174,7 +174,7 @@ def _timed(work: Work, contestant: Contestant, shared: Shared, limits: Limits) -
         "mean": float(values.mean()),
         "questions": len(times),
         "set_up_ms": set_up * 1e3,
-        "memory_mb": (_peak() - before) / 1e6 if before else None,
+        "memory_mb": (peak() - before) / 1e6 if before else None,
     }
 
 
@@ -183,26 +183,6 @@ def cpu_ms(call: Callable[[int], Any], question: int) -> float:
     begin = time.process_time_ns()
     call(question)
     return (time.process_time_ns() - begin) / 1e6
-
-
-def _resident() -> int:
-    """Resident memory [B], after which the peak counts anew; 0 where the system cannot tell."""
-    try:
-        Path("/proc/self/clear_refs").write_text("5", encoding="ascii")
-        return _status("VmRSS")
-    except OSError:
-        return 0
-
-
-def _peak() -> int:
-    return _status("VmHWM")
-
-
-def _status(key: str) -> int:
-    for line in Path("/proc/self/status").read_text(encoding="ascii").splitlines():
-        if line.startswith(key):
-            return int(line.split()[1]) * 1024
-    return 0
 
 
 # ---- judges: what "the same answer" means --------------------------------------------------------
