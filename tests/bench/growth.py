@@ -36,6 +36,7 @@ from .workload import SEED, lidar_options
 
 Row = dict[str, Any]
 Dims = tuple[int, int, int]
+_Point = NDArray[np.float64]  # (3,)
 
 _CORNER = np.array([300.0, 300.0, 0.0])  # of the window, in the middle of the city [m]
 _EXTENT = np.array([400.0, 400.0, 160.0])  # of the window [m]
@@ -48,9 +49,10 @@ def cells(dims: Dims, queries: int) -> Row:
     """Plans, distance field and snapshot of a window of so many cells."""
     world = make_city(seed=1)
     frame = GridFrame(_CORNER, _EXTENT / dims, dims)
-    before = resident()
-    grid = HeightSurface(world.surface_raster()).occupancy(frame)
+    surface = HeightSurface(world.surface_raster())
     priority = priority_map(world, "binary", altitude=_ALTITUDE)
+    before = resident()
+    grid = surface.occupancy(frame)
     planner = make_planner("auto")
     scene = Scene(grid, priority)
     times, found = [], 0
@@ -87,7 +89,7 @@ def sensing(rows: int, azimuths: int, max_range: float) -> Row:
     world = make_city(seed=1)
     surface = HeightSurface(world.surface_raster())
     lidar = Lidar(lidar_options(rows, azimuths, max_range))
-    start = _free_point(world)
+    start = _street(world)
     built = ObstacleMap(ObstacleMapOptions(max_range=max_range), start)
     scan_ms, map_ms, hits = [], [], 0
     for step in range(50):
@@ -113,7 +115,7 @@ def sensing(rows: int, azimuths: int, max_range: float) -> Row:
 def way_points(count: int) -> Row:
     """Taking a global path of so many way-points over, and one decision on it."""
     world = make_city(seed=1)
-    start = _free_point(world)
+    start = _street(world)
     path = np.linspace(start, start + _PATH, count + 1)[1:]
     planner = LocalTrajectoryPlanner(Raster(np.zeros((1, 1))), start)
     taken = _ms(lambda: planner.set_way_points(np.ascontiguousarray(path)), 9)
@@ -130,7 +132,7 @@ def memory() -> Row:
     surface = HeightSurface(world.surface_raster())
     config = MissionConfig(lidar=lidar_options())
     lidar = Lidar(config.lidar)
-    start = _free_point(world)
+    start = _street(world)
     priority = priority_map(world, "binary", altitude=_ALTITUDE)
     scans = [lidar.scan(surface, Pose(start + i * _STEP), i) for i in range(20)]
     before = resident()
@@ -149,10 +151,10 @@ def memory() -> Row:
     return {"memory_mb": (peak() - before) / 1e6}
 
 
-def _queries(grid: OccupancyGrid, count: int) -> list[tuple[NDArray[np.float64], ...]]:
+def _queries(grid: OccupancyGrid, count: int) -> list[tuple[_Point, _Point]]:
     """Pairs of free points, 100 m to 200 m apart at 50 m, the same for every cell size."""
     rng = np.random.default_rng(SEED)
-    pairs: list[tuple[NDArray[np.float64], ...]] = []
+    pairs: list[tuple[_Point, _Point]] = []
     while len(pairs) < count:
         ends = _CORNER + rng.uniform(0.02, 0.98, (2, 3)) * _EXTENT
         ends[:, 2] = _ALTITUDE
@@ -162,11 +164,15 @@ def _queries(grid: OccupancyGrid, count: int) -> list[tuple[NDArray[np.float64],
     return pairs
 
 
-def _free_point(world: World) -> NDArray[np.float64]:
-    """The point at 50 m over the lowest place in the middle of the city."""
-    middle = world.surface[300:500, 300:500]
-    x, y = np.unravel_index(int(middle.argmin()), middle.shape)
-    return np.array([300.5 + x, 300.5 + y, _ALTITUDE])
+def _street(world: World) -> _Point:
+    """A point at 30 m with 20 m of free way to the east and the highest city round it."""
+    best, highest = (0, 0), -1.0
+    for x, y in np.ndindex(20, 20):
+        i, j = 300 + 20 * x, 300 + 20 * y
+        round_it = float(world.surface[i - 40 : i + 40, j - 40 : j + 40].mean())
+        if round_it > highest and world.surface[i : i + 20, j].max() < 10.0:
+            best, highest = (i, j), round_it
+    return np.array([best[0] + 0.5, best[1] + 0.5, 30.0])
 
 
 def _ms(call: Callable[[], Any], repeats: int = 3) -> float:

@@ -9,6 +9,7 @@ from importlib import metadata
 from pathlib import Path
 
 PEERS = (
+    "numpy",
     "dijkstra3d",
     "scikit-image",
     "scikit-fmm",
@@ -32,7 +33,6 @@ def describe() -> dict[str, object]:
         "compiler": _first_line([os.environ.get("CXX") or "c++", "--version"]),
         "python": platform.python_version(),
         "ltp": metadata.version("ltp"),
-        "numpy": metadata.version("numpy"),
         "peers": {name: version for name in PEERS if (version := _version(name))},
     }
 

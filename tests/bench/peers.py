@@ -19,7 +19,7 @@ from rich.table import Table
 
 from . import machine
 from .contest import OURS, Limits, Outcome, Shared, Work, compete
-from .contestants import fields, flight, maps, paths, rays
+from .contestants import fields, flight, maps, paths, rays, windows
 
 WORKS: tuple[Work, ...] = (
     paths.shortest,
@@ -31,6 +31,8 @@ WORKS: tuple[Work, ...] = (
     rays.tilted,
     maps.update,
     maps.query,
+    windows.inflation,
+    windows.rolling,
 )
 
 Row = dict[str, Any]

@@ -19,7 +19,7 @@ from rich.console import Console
 from rich.progress import track
 
 from . import growth, machine
-from .scale_figure import draw
+from .scale_figure import draw, save
 
 Row = dict[str, Any]
 
@@ -44,10 +44,15 @@ def main() -> int:
     """Measure all series, write them and draw them."""
     parser = argparse.ArgumentParser(prog="python -m tests.bench.scale", description=__doc__)
     parser.add_argument("--out", type=Path, default=Path("build/bench/scale.json"))
-    parser.add_argument("--figure", type=Path, help="where the plot goes (.png, .svg)")
+    parser.add_argument("--figure", type=Path, help="where the plot goes (.png)")
+    parser.add_argument("--draw-only", action="store_true", help="the plot of the last results")
     parser.add_argument("--queries", type=int, default=60, help="plans at each number of cells")
     parser.add_argument("--quick", action="store_true", help="only that it runs")
     options = parser.parse_args()
+    if options.draw_only:
+        last = json.loads(options.out.read_text(encoding="utf-8"))
+        save(draw(last["series"]), options.figure)
+        return 0
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     queries = 3 if options.quick else options.queries
     few = QUICK if options.quick else None
@@ -73,7 +78,7 @@ def main() -> int:
     options.out.parent.mkdir(parents=True, exist_ok=True)
     options.out.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
     if options.figure:
-        draw(series).savefig(options.figure, dpi=110)
+        save(draw(series), options.figure)
     return 0
 
 
