@@ -15,7 +15,7 @@ from tests.bench.report import fill, summary
 from tests.bench.results import Figure, Results, figure, load
 
 TOWN = "b3b29157783408900ce28c9192195503d35e5df5"
-SENSING = "b3516ec647d4c3c014e723b57190e0dca609130e"
+SENSING = "37c7693406f897c12b5ac5aca0d6e039f5912ecd"
 
 
 def test_the_work_is_the_same_everywhere() -> None:
