@@ -8,14 +8,13 @@ Only what stands between markers is replaced: `<!-- bench:NAME -->` ... `<!-- be
 import argparse
 import re
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from .goals import GOALS, Score, score
 from .results import Figure, Results, figure, load
 
-#: Nothing of ours may be missing from these rows without being named.
 _MARKED = re.compile(r"(<!-- bench:(?!end)(\w+) -->\n).*?(<!-- bench:end -->)", re.DOTALL)
 
 
@@ -117,23 +116,25 @@ def _of(row: dict[str, Any], key: str) -> str:
 _KEYS_OF_GOOGLE = {
     *("name", "run_name", "run_type", "repetitions", "repetition_index", "threads", "iterations"),
     *("real_time", "cpu_time", "time_unit", "family_index", "per_family_instance_index", "label"),
-    *("aggregate_name", "aggregate_unit", "error_occurred", "error_message"),
+    *("aggregate_name", "aggregate_unit"),
 }
 
 
 def _cpp(results: Results) -> list[str]:
     rows = []
     for name, row in results.cpp.items():
-        counters = [
-            f"{key} {Figure(value, 'rate')}" if key.endswith("per_second") else f"{key} {value:.6g}"
-            for key, value in row.items()
-            if key not in _KEYS_OF_GOOGLE and isinstance(value, int | float)
-        ]
-        time = figure(row["cpu_time"], row["time_unit"])
-        rows.append(
-            [f"`{name}`", str(time), "; ".join([*counters, row.get("label", "")]).strip("; ")]
-        )
+        time = results.of_cpp(name)
+        remarks = [row.get("error", ""), *_counters(row), row.get("label", "")]
+        rows.append([f"`{name}`", str(time or "-"), "; ".join(filter(None, remarks))])
     return _markdown(("benchmark", "CPU time", "counters"), rows) if rows else []
+
+
+def _counters(row: Mapping[str, Any]) -> list[str]:
+    return [
+        f"{key} {Figure(value, 'rate')}" if key.endswith("per_second") else f"{key} {value:.6g}"
+        for key, value in row.items()
+        if key not in _KEYS_OF_GOOGLE and isinstance(value, int | float)
+    ]
 
 
 def _scale(results: Results) -> list[str]:

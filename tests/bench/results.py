@@ -63,8 +63,8 @@ class Results:
 
     def of_cpp(self, name: str, rate: str = "", per_item: bool = False) -> Figure | None:
         """CPU time of a C++ benchmark, or one of its rates, or the time per item of that rate."""
-        row = self.cpp.get(name)
-        if row is None or (rate and rate not in row):
+        row = self.cpp.get(name, {})
+        if (rate or "cpu_time") not in row:
             return None
         if not rate:
             return figure(row["cpu_time"], row["time_unit"])
@@ -101,13 +101,15 @@ def _json(path: Path) -> dict[str, Any]:
 
 
 def _cpp_rows(document: dict[str, Any]) -> dict[str, dict[str, Any]]:
-    """Rows by name; of repeated ones the median."""
+    """Rows by name; of repeated ones the median, of failed ones only what they say."""
     rows: dict[str, dict[str, Any]] = {}
     for row in document.get("benchmarks", []):
         name = _HOW.sub("", row.get("run_name", row["name"]))
-        if row.get("aggregate_name") == "median":
+        if row.get("error_occurred"):
+            rows[name] = {"error": row.get("error_message", "failed")}
+        elif row.get("aggregate_name") == "median":
             rows[name] = row
-        elif row.get("run_type", "iteration") == "iteration" and not row.get("error_occurred"):
+        elif row.get("run_type", "iteration") == "iteration":
             rows.setdefault(name, row)
     return rows
 
