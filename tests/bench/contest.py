@@ -98,7 +98,7 @@ class Limits:
     """How much is asked of a contestant."""
 
     questions: int = 50
-    seconds: float = 20.0  # CPU, for the judged round and for the timed one each
+    seconds: float = 12.0  # CPU, for the judged round and for the timed one each
     repeats: int = 9  # of a question that takes less than 5 ms; fewer of longer ones
 
 
@@ -124,7 +124,9 @@ def compete(
     row: dict[str, Any] = {"work": work.name, "name": contestant.name, "unit": work.unit}
     row["package"] = contestant.package
     try:
-        row["version"] = metadata.version(contestant.package)
+        version = metadata.version(contestant.package)
+        if contestant.package != OURS:
+            row["version"] = version
         answers = _answers(work, contestant, shared, limits)
     except (ImportError, Unavailable) as reason:
         return Outcome(row | {"error": f"not available: {reason}"}, [])
@@ -189,13 +191,20 @@ def cpu_ms(call: Callable[[int], Any], question: int) -> float:
 
 
 def lengths(lowest: float, highest: float) -> Judge:
-    """Path lengths: ours / theirs within [lowest, highest] on every query."""
+    """Path lengths: ours / theirs within [lowest, highest] on every query.
+
+    Who may find no path at all has `lowest` 0.
+    """
 
     def judge(ours: list[Any], theirs: list[Any]) -> Verdict:
         ratios = np.array(ours) / np.array(theirs)
         ok = bool(((ratios >= lowest) & (ratios <= highest)).all())
-        low, middle, high = ratios.min(), float(np.median(ratios)), ratios.max()
-        return Verdict(ok, f"ours/theirs {middle:.4f} ({low:.4f} ... {high:.4f})")
+        found = ratios[ratios > 0.0]
+        if found.size == 0:
+            return Verdict(ok, "no path found")
+        low, middle, high = found.min(), float(np.median(found)), found.max()
+        none = f", none in {len(ratios) - len(found)}" if len(found) < len(ratios) else ""
+        return Verdict(ok, f"ours/theirs {middle:.4f} ({low:.4f} ... {high:.4f}){none}")
 
     return judge
 

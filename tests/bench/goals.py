@@ -162,10 +162,19 @@ GOALS: tuple[Goal, ...] = (
         factor=5,
     ),
     Goal(
-        "the same beside a sparse grid",
+        "the same, beside a sparse grid",
         cpp("ltp", "map_insert/ltp"),
         (cpp("OpenVDB", "map_insert/openvdb"),),
         factor=1,
+    ),
+    Goal(
+        "map update per scan, endpoints (Python)",
+        python("map_update", "ltp ObstacleMap"),
+        (
+            python("map_update", "pyoctomap updateNodes"),
+            python("map_update", "octomap-python updateNodes"),
+        ),
+        factor=5,
     ),
     Goal(
         "map update per scan, carving",

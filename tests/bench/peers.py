@@ -63,7 +63,7 @@ def _options() -> argparse.Namespace:
         "--peers", metavar="PACKAGE,...", help=f"of: {', '.join(machine.PEERS)}; or none"
     )
     parser.add_argument("--queries", type=int, default=50, help="asked of everybody, at most")
-    parser.add_argument("--seconds", type=float, default=20.0, help="CPU time for each, about")
+    parser.add_argument("--seconds", type=float, default=12.0, help="CPU time for each, about")
     parser.add_argument("--quick", action="store_true", help="only that it runs: 3 queries, 1 s")
     parser.add_argument("--out", type=Path, metavar="JSON", help="where the results go")
     options = parser.parse_args()

@@ -101,7 +101,7 @@ def _python(results: Results) -> list[str]:
     cells = []
     for number, row in enumerate(rows):
         first = row["work"] if works.index(row["work"]) == number else ""
-        name = row["name"] + (f" ({row['version']})" if row["package"] != "ltp" else "")
+        name = " ".join([row["name"], *([row["version"]] if "version" in row else [])])
         measured = [_of(row, "median"), _of(row, "p95"), str(row.get("questions", ""))]
         memory = row.get("memory_mb")
         remark = "; ".join(str(row[key]) for key in ("error", "agreement", "note") if row.get(key))

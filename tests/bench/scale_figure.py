@@ -112,7 +112,7 @@ def _plans(axes: "Axes", cells: list[Row]) -> None:
         )
     axes.axvline(_TEN_HERTZ, color=FAINT, lw=0.8, ls="--")
     axes.set_xscale("log")
-    axes.set_ylim(0.0, 1.02)
+    axes.set(ylim=(0.0, 1.02), xlim=(None, 1e4))  # room for the legend
     _dress(axes, "time of a plan [ms]", "share of the plans")
     axes.legend(frameon=False, fontsize=8, loc="lower right")
 

@@ -89,7 +89,12 @@ def sense_and_map(flown: Flown, name: str, sample: int) -> Row:
 
 
 def _row(name: str, package: str, seconds: float, note: str = "") -> Row:
-    return {"work": NAME, "name": name, "package": package, "unit": "s", "median": seconds} | {
+    return {
+        "work": NAME,
+        "name": name,
+        "package": package,
+        "unit": "s",
+        "median": seconds,
         "questions": 1,
         "note": note,
     }
