@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from ltp import Query, flood_fill
-from tests.bench import contest, graph, mesh, workload
+from tests.bench import contest, graph, judges, mesh, workload
 from tests.bench.goals import GOALS, Goal, cpp, python, score
 from tests.bench.report import fill, summary
 from tests.bench.results import Figure, Results, figure, load
@@ -53,7 +53,7 @@ def test_a_raster_and_its_mesh_have_the_same_area() -> None:
     assert area == pytest.approx(4.0 + 2.0 * 2.0)  # four tops, two walls of 2 m
 
 
-def _work(answers: dict[str, float], judge: contest.Judge) -> contest.Work:
+def _work(answers: dict[str, float], judge: judges.Judge) -> contest.Work:
     work = contest.Work("sum", "a sum", lambda _: 2)
     work.enter("ltp")(lambda _: contest.Solver(lambda i: answers["ltp"]))
     work.enter("numpy", "numpy", judge)(lambda _: contest.Solver(lambda i: answers["numpy"]))
@@ -62,7 +62,7 @@ def _work(answers: dict[str, float], judge: contest.Judge) -> contest.Work:
 
 @pytest.mark.parametrize("theirs", [2.0, 3.0])
 def test_who_answers_otherwise_is_not_timed(theirs: float) -> None:
-    work = _work({"ltp": 2.0, "numpy": theirs}, contest.lengths(1.0, 1.0))
+    work = _work({"ltp": 2.0, "numpy": theirs}, judges.lengths(1.0, 1.0))
     limits, shared = contest.Limits(questions=2, seconds=1.0), contest.Shared()
     ours = contest.compete(work, work.contestants[0], shared, limits, None)
     row = contest.compete(work, work.contestants[1], shared, limits, ours.answers).row

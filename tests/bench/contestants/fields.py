@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 
 import ltp
 
-from ..contest import Shared, Solver, Unavailable, Work, fields, finite
+from ..contest import Shared, Solver, Unavailable, Work
 from ..graph import voxel_graph
+from ..judges import fields, finite
 from ..workload import CELL, DIMS, centres
 
 _SINGLE = 1e-4  # what single precision adds up to over a path, relative

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from ltp import ObstacleMap, ObstacleMapOptions
 
-from ..contest import Shared, Solver, Work, near
+from ..contest import Shared, Solver, Work
+from ..judges import near
 from ..workload import ALTITUDE, MAX_RANGE, SEED
 
 _POINTS = 100_000  # of a query

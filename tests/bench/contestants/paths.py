@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The planning works: shortest path, Dijkstra, the wave, the proof that no path exists."""
 
-from ..contest import Shared, Solver, Work, lengths, near
+from ..contest import Shared, Solver, Work
+from ..judges import lengths, near
 from . import ours
 from . import path_peers as peers
 

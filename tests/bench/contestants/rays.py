@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from ltp import Pose, Scan
 
-from ..contest import Judge, Shared, Solver, Unavailable, Verdict, Work, finite, near
+from ..contest import Shared, Solver, Unavailable, Work
+from ..judges import Judge, Verdict, finite, near
 from ..mesh import Triangles, box_mesh, raster_mesh
 from ..workload import EDGE, MAX_RANGE, TILT
 from . import ray_peers

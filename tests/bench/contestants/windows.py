@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from ltp import OccupancyGrid, inflate
 
-from ..contest import Shared, Solver, Work, near
+from ..contest import Shared, Solver, Work
+from ..judges import near
 from ..workload import CELL
 
 _RADIUS = 4.0  # [m]
