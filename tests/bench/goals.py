@@ -80,9 +80,9 @@ def score(goal: Goal, results: Results) -> Score:
     return Score(goal, ours, *best)
 
 
-def cpp(label: str, name: str, rate: str = "", per_item: bool = False) -> Source:
-    """A C++ benchmark: its CPU time, a rate that it counts, or the time for one item."""
-    return Source(label, lambda results: results.of_cpp(name, rate, per_item))
+def cpp(label: str, name: str, rate: str = "", each: str = "") -> Source:
+    """A C++ benchmark: its CPU time, or one of its counters: a rate, or the time of one thing."""
+    return Source(label, lambda results: results.of_cpp(name, rate, each))
 
 
 def python(work: str, name: str) -> Source:
@@ -184,14 +184,14 @@ GOALS: tuple[Goal, ...] = (
     ),
     Goal(
         "point query, random",
-        cpp("ltp", "point_query/random/ltp"),
-        (cpp("OctoMap", "point_query/random/octomap"),),
+        cpp("ltp", "point_query/random/ltp", each="a_point"),
+        (cpp("OctoMap", "point_query/random/octomap", each="a_point"),),
         factor=5,
     ),
     Goal(
         "point query, along a segment",
-        cpp("ltp", "point_query/segment/ltp"),
-        (cpp("OctoMap", "point_query/segment/octomap"),),
+        cpp("ltp", "point_query/segment/ltp", each="a_point"),
+        (cpp("OctoMap", "point_query/segment/octomap", each="a_point"),),
         factor=5,
     ),
     Goal(
@@ -209,7 +209,11 @@ GOALS: tuple[Goal, ...] = (
         )
         for axis, rog_map in (("x", 75.0), ("y", 107.0), ("z", 590.0))  # what ROG-Map takes [us]
     ),
-    Goal("inflate by 4 m, a new cell", cpp("ltp", "inflate/cell/ltp"), limit=figure(100.0, "ns")),
+    Goal(
+        "inflate by 4 m, a new cell",
+        cpp("ltp", "inflate/cell/ltp", each="a_cell"),
+        limit=figure(100.0, "ns"),
+    ),
     Goal("inflate by 4 m, the window", cpp("ltp", "inflate/window/ltp"), limit=figure(0.25, "ms")),
     Goal(
         "inflate by 4 m, the window (Python)",

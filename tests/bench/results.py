@@ -61,14 +61,14 @@ class Results:
     scale: Mapping[str, Any] = field(default_factory=dict)  # of `scale`
     latency: Mapping[str, Any] = field(default_factory=dict)
 
-    def of_cpp(self, name: str, rate: str = "", per_item: bool = False) -> Figure | None:
-        """CPU time of a C++ benchmark, or one of its rates, or the time per item of that rate."""
+    def of_cpp(self, name: str, rate: str = "", each: str = "") -> Figure | None:
+        """CPU time of a C++ benchmark, or a rate that it counts, or a time [s] that it counts."""
         row = self.cpp.get(name, {})
-        if (rate or "cpu_time") not in row:
+        if (rate or each or "cpu_time") not in row:
             return None
-        if not rate:
-            return figure(row["cpu_time"], row["time_unit"])
-        return Figure(1.0 / row[rate]) if per_item else Figure(row[rate], "rate")
+        if rate:
+            return Figure(row[rate], "rate")
+        return Figure(row[each]) if each else figure(row["cpu_time"], row["time_unit"])
 
     def of_python(self, work: str, name: str) -> Figure | None:
         """Median of a contestant."""

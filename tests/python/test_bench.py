@@ -152,14 +152,14 @@ def test_google_benchmark_s_medians_are_read_by_name(tmp_path: Path) -> None:
         ' {"name": "a/ltp/min_time:0.1_median", "run_name": "a/ltp/min_time:0.1",'
         ' "run_type": "aggregate", "aggregate_name": "median", "cpu_time": 2, "time_unit": "us"},'
         ' {"name": "b", "run_name": "b", "run_type": "iteration", "cpu_time": 3, "time_unit": "ns",'
-        ' "items_per_second": 1e8}, {"name": "c", "run_name": "c", "run_type": "iteration",'
+        ' "items_per_second": 1e8, "a_point": 1e-8}, {"name": "c", "run_name": "c", "run_type": "iteration",'
         ' "error_occurred": true, "error_message": "differs", "cpu_time": 0, "time_unit": "ns"}]}',
         encoding="utf-8",
     )
     results = load(tmp_path)
     assert results.of_cpp("a/ltp") == figure(2.0, "us")
     assert results.of_cpp("b", "items_per_second") == Figure(1e8, "rate")
-    assert results.of_cpp("b", "items_per_second", per_item=True) == Figure(1e-8)
+    assert results.of_cpp("b", each="a_point") == Figure(1e-8)
     assert results.of_cpp("c") is results.of_cpp("d") is None
     assert results.cpp["c"] == {"error": "differs"}
     assert python("shortest", "ltp auto").find(results) is None
