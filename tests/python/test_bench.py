@@ -152,7 +152,8 @@ def test_google_benchmark_s_medians_are_read_by_name(tmp_path: Path) -> None:
         ' {"name": "a/ltp/min_time:0.1_median", "run_name": "a/ltp/min_time:0.1",'
         ' "run_type": "aggregate", "aggregate_name": "median", "cpu_time": 2, "time_unit": "us"},'
         ' {"name": "b", "run_name": "b", "run_type": "iteration", "cpu_time": 3, "time_unit": "ns",'
-        ' "items_per_second": 1e8, "a_point": 1e-8}, {"name": "c", "run_name": "c", "run_type": "iteration",'
+        ' "items_per_second": 1e8, "a_point": 1e-8},'
+        ' {"name": "c", "run_name": "c", "run_type": "iteration",'
         ' "error_occurred": true, "error_message": "differs", "cpu_time": 0, "time_unit": "ns"}]}',
         encoding="utf-8",
     )
