@@ -99,5 +99,25 @@ TEST(Linearised, TheBoundIsNeverAboveTheExactOptimum) {
   EXPECT_LT(sweep_gap, additive_gap);
 }
 
+TEST(Linearised, ASweepThatEndsContentIsWithinItsTolerance) {
+  std::mt19937_64 random(4);
+  int closed = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Instance instance = test::random_small_grid(random, {4, 4, 1}, 0.1);
+    PlannerOptions options;
+    options.weights = {0.5, 1.0};
+    const Scene scene{instance.grid, instance.priority};
+    options.linearised.closing = 0;
+    const Plan open = LinearisedPlanner("sweep", 12, options).plan(scene, instance.query);
+    options.linearised.closing = 200000;
+    const Plan sweep = LinearisedPlanner("sweep", 12, options).plan(scene, instance.query);
+    if (sweep.status != PlanStatus::Found) continue;
+    // To the last bit: a certificate of 0.01 that is an ulp wider is none.
+    EXPECT_LE(sweep.penalty - *sweep.bound, options.linearised.tolerance) << "instance " << i;
+    closed += open.penalty - *open.bound > options.linearised.tolerance;
+  }
+  EXPECT_GT(closed, 50);
+}
+
 }  // namespace
 }  // namespace ltp

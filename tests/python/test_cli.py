@@ -149,6 +149,7 @@ def test_gap_records_compares_and_draws(world: str, tmp_path: Path) -> None:
         "journal.jsonl",
         "gap.csv",
         "gap.md",
+        "overview.md",
     }
     assert "Binary priority map, planar flight, W_P/W_L = 2: 5 queries" in said
     assert "| Additive A* | 5/5 |" in (out / "gap.md").read_text()

@@ -24,6 +24,7 @@ from ltp.evaluation.gap import (
     with_optimum,
 )
 from ltp.evaluation.gap_figures import front_figure, gap_figure
+from ltp.evaluation.gap_overview import markdown_overview
 from ltp.evaluation.gap_tables import markdown_gaps, number, share, summarise_gaps, unproved_note
 from ltp.evaluation.queries import BANDS, QuerySet
 
@@ -121,6 +122,20 @@ def test_what_is_not_found_has_no_gap_and_what_has_no_path_does_not_count() -> N
     text = markdown_gaps(with_optimum(rows))
     assert "did not" not in text and "do not count: 1." in text
     assert "| Bézier | 1/2 | (0.150) | −0.0500 |" in text
+
+
+def test_the_overview_has_a_row_a_case_and_one_a_certificate() -> None:
+    rows = [
+        made_up(OPTIMUM, 0, 0.2, 0.2),
+        made_up("sweep", 0, 0.205, 0.198),
+        made_up("sweep+refine", 0, 0.15, 0.198),  # a bound that is not about its own path
+        made_up("bezier", 0, None),
+    ]
+    gaps, certificates = markdown_overview(summarise_gaps(with_optimum(rows))).split("\n\n")
+    assert gaps.splitlines()[2:] == ["| binary | planar | 2 | 1/1 | 0.005 | −0.050 | – |"]
+    (row,) = certificates.splitlines()[2:]
+    assert row.startswith("| binary | planar | 2 | Sweep | 100 % | – |")
+    assert row.endswith("| 100 % | 100 % | 0.007 |")
 
 
 def test_without_a_proof_the_best_known_stands_in() -> None:

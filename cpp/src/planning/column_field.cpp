@@ -53,6 +53,7 @@ void ColumnField::aim(const Scene& scene, const AdditiveCost& cost, const Query&
   next.size = {2 * frame.nx() + 1, 2 * frame.ny() + 1};
   next.last = last_steps(frame, scene.priority, cost, query, cells);
   raster_ = &scene.priority;
+  start_ = {cells.start.x(), cells.start.y()};
   // The goal lies in the middle of the field.
   shift_ = {frame.nx() - cells.goal.x(), frame.ny() - cells.goal.y()};
   frame_ = &frame;
@@ -112,7 +113,8 @@ void ColumnField::open(std::uint32_t column) {
   mine.wall = jx == 0 || jy == 0 || jx == aim_.size[0] - 1 || jy == aim_.size[1] - 1;
   const int ix = jx - shift_[0];
   const int iy = jy - shift_[1];
-  if (!reach_.unbounded()) {
+  // Paths begin at the start itself, so the centre of its column need not be within reach.
+  if (!reach_.unbounded() && !(ix == start_[0] && iy == start_[1])) {
     mine.wall |= !reach_.contains(frame_->centre(Cell(ix, iy, 0)).head<2>());
   }
   if (mine.wall || walls_ == nullptr) return;

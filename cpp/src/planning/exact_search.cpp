@@ -16,6 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMargin = 1.0 + 1e-9;  // of costs that were summed in different orders
 constexpr int kRounds = 8;              // linearisations tried on the narrowed graph
 constexpr double kSame = 1e-6;          // slopes nearer than this tell the same
+constexpr double kReserve = 1e-9;       // kept from what is proved, for rounding
 
 bool is_known(double beta, const std::vector<Guide>& guides) {
   return std::any_of(guides.begin(), guides.end(),
@@ -80,9 +81,11 @@ PlanStatus ExactSearch::improve(const Scene& scene, const Query& query, const Gr
   if (!narrow(scene, cells, penalty, budget, plan.stats, incumbent)) return PlanStatus::OutOfBudget;
   const double used = static_cast<double>(graph_.bytes()) +
                       static_cast<double>(sizeof(double)) * graph_.size() * (guides_.size() + 1);
-  const double close = limits.tolerance < incumbent.value
-                           ? incumbent.value / (incumbent.value - limits.tolerance)
-                           : kInfinity;
+  // The reserve is part of what may be left.
+  const double largest = incumbent.value + weights.priority * costs_.most_priority();
+  const double tolerance = std::max(0.0, limits.tolerance - 4.0 * kReserve * (1.0 + largest));
+  const double close =
+      tolerance < incumbent.value ? incumbent.value / (incumbent.value - tolerance) : kInfinity;
   const LabelTask task{
       graph_, penalty, guides_, length_to_goal_, std::max(1.0 + limits.eps, close), memory_ - used};
   const PlanStatus status = labels_.run(task, budget, plan.stats, incumbent);
@@ -99,7 +102,7 @@ PlanStatus ExactSearch::improve(const Scene& scene, const Query& query, const Gr
   }
   if (aligned(frame, scene.priority)) {
     const double value = labels_.proved() - weights.priority * costs_.most_priority();
-    proved_ = std::min(plan.penalty, value - 1e-9 * (1.0 + std::abs(value)));
+    proved_ = std::min(plan.penalty, value - kReserve * (1.0 + std::abs(value)));
   }
   return status;
 }

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 
 QUERIES = "queries.npz"
 TABLES = "gap.md"
+OVERVIEW = "overview.md"
 
 
 def register(app: typer.Typer) -> None:
@@ -97,11 +98,12 @@ def gap(
     Flies the global paths with the planner of the settings (`--config`) and keeps what it was
     asked: the map as sensed so far, start, goal. Then every planner answers every query
     under each ratio, map and band; its penalty is held against the optimum, its lower bound too.
-    Times are of one plan at a time on one core. Writes queries.npz, gap.csv and gap.md. Stopped in
-    any way, it goes on where it was when the same command is given again.
+    Times are of one plan at a time on one core. Writes queries.npz, gap.csv, gap.md and
+    overview.md. Stopped in any way, it goes on where it was when the same command is given again.
     """
     from ltp.evaluation.gap import TABLE, GapOptions, run_gap
-    from ltp.evaluation.gap_tables import markdown_gaps
+    from ltp.evaluation.gap_overview import markdown_overview
+    from ltp.evaluation.gap_tables import markdown_gaps, summarise_gaps
     from ltp.files import atomic_write
 
     from .progress import GapProgress
@@ -126,10 +128,15 @@ def gap(
     except KeyboardInterrupt:
         console.print(f"stopped; what was planned is kept in {out}: the same command goes on")
         raise
-    with atomic_write(out / TABLES) as file:
-        file.write(markdown_gaps(rows).encode())
+    for name, text in (
+        (TABLES, markdown_gaps(rows)),
+        (OVERVIEW, markdown_overview(summarise_gaps(rows)) + "\n"),
+    ):
+        with atomic_write(out / name) as file:
+            file.write(text.encode())
     _print_tables(rows)
-    for name, path in (("queries", QUERIES), ("plans", TABLE), ("tables", TABLES)):
+    kept = (("queries", QUERIES), ("plans", TABLE), ("tables", TABLES), ("overview", OVERVIEW))
+    for name, path in kept:
         tell(name, out / path)
 
 

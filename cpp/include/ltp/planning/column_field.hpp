@@ -112,6 +112,7 @@ class ColumnField {
   Aim aim_;
   const Raster* raster_ = nullptr;
   const GridFrame* frame_ = nullptr;        ///< the window's
+  std::array<int, 2> start_{};              ///< the start's column
   Ellipse reach_;                           ///< what lies beyond is a wall
   const OccupancyGrid* walls_ = nullptr;    ///< null: the field knows no obstacles
   std::vector<std::uint64_t> open_levels_;  ///< of the query, as one column of `walls_`

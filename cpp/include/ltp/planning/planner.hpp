@@ -101,7 +101,7 @@ struct LinearisedOptions {
   int searches = 12;        ///< that `sweep` makes at most, >= 1
   std::int64_t effort = 0;  ///< expansions that `sweep` may spend after its first path; 0: no limit
   /// Labels and cells that `sweep` may spend on closing the gap that is left, >= 0.
-  std::int64_t closing = 50000;
+  std::int64_t closing = 200000;
 };
 
 /// The exact search, see `ParetoPlanner`.
