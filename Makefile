@@ -13,6 +13,7 @@ WERROR ?= OFF
 
 VENV := .venv
 BIN := $(VENV)/bin
+LTP_BENCH := build/bench/tests/bench/ltp_bench
 STAMPS := build/stamps
 PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet --quiet
 
@@ -33,7 +34,7 @@ WHEEL := $(STAMPS)/wheel-$(WERROR)-$(shell printf '%s\n' $(sort $(SOURCES)) | ck
 
 .PHONY: help
 help:  ## say what there is to make
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' Makefile
 
 .PHONY: demo
 demo: $(STAMPS)/viewer  ## fly the built-in city, into out/demo
@@ -61,11 +62,17 @@ format: $(STAMPS)/dev  ## lay out all sources
 	$(BIN)/clang-format -i $(CPP_FILES)
 
 .PHONY: bench
-bench: $(STAMPS)/system  ## run the C++ benchmarks (BENCH_ARGS=--benchmark_filter=...)
-	cmake -S . -B build/bench -G Ninja -DCMAKE_BUILD_TYPE=Release -DLTP_BUILD_BENCHMARKS=ON \
-	  -DLTP_WARNINGS_AS_ERRORS=$(WERROR)
-	cmake --build build/bench
-	build/bench/tests/bench/ltp_bench $(BENCH_ARGS)
+bench: $(STAMPS)/bench build-bench  ## measure ltp beside its peers, write docs/performance.md's tables
+	$(LTP_BENCH) --benchmark_repetitions=3 --benchmark_report_aggregates_only=true \
+	  --benchmark_out=build/bench/cpp.json --benchmark_out_format=json $(BENCH_ARGS)
+	$(BIN)/python -m tests.bench.peers --out build/bench/python.json
+	$(BIN)/python -m tests.bench.scale --out build/bench/scale.json \
+	  --figure docs/figures/performance_scale.png
+	$(BIN)/python -m tests.bench.report
+
+.PHONY: bench-cpp
+bench-cpp: build-bench  ## run the C++ benchmarks only (BENCH_ARGS=--benchmark_filter=...)
+	$(LTP_BENCH) $(BENCH_ARGS)
 
 .PHONY: wheel
 wheel: $(WHEEL)  ## build dist/ltp-*.whl and check what is in it
@@ -118,6 +125,28 @@ $(STAMPS)/viewer $(STAMPS)/test $(STAMPS)/dev: $(STAMPS)/package
 	@echo "ltp: installing what ltp[$(EXTRAS)] needs into $(VENV)"
 	@$(PIP) install "$$(echo dist/*.whl)[$(EXTRAS)]"
 	@touch $@
+
+# Debian's packages of peers and of what theirs from PyPI need, then those from PyPI: each on its own,
+# so that one that cannot be had here stops no other.
+$(STAMPS)/bench-system: .ci/system-packages
+	@mkdir -p $(STAMPS)
+	@PYTHON="$(PYTHON)" .ci/system-packages libembree-dev libopenvdb-dev libusb-1.0-0 patchelf > $@
+
+$(STAMPS)/bench: $(STAMPS)/package $(STAMPS)/bench-system
+	@echo "ltp: installing the peers into $(VENV)"
+	@$(BIN)/python -c "import tomllib; project = tomllib.load(open('pyproject.toml', 'rb')); \
+	  print('\n'.join(project['project']['optional-dependencies']['bench']))" | \
+	  while read -r peer; do \
+	    $(PIP) install "$$peer" || echo "ltp: going on without $$peer" >&2; \
+	  done
+	@touch $@
+
+.PHONY: build-bench
+build-bench: $(STAMPS)/system
+	@echo "ltp: building the C++ benchmarks"
+	@cmake -S . -B build/bench -G Ninja -DCMAKE_BUILD_TYPE=Release -DLTP_BUILD_BENCHMARKS=ON \
+	  -DLTP_WARNINGS_AS_ERRORS=$(WERROR) --log-level=WARNING > /dev/null
+	@cmake --build build/bench
 
 .PHONY: build-tests
 build-tests: $(STAMPS)/system

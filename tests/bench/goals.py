@@ -1,0 +1,236 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The one table of goals: what ltp does, beside whom, and how many times better it is to be.
+
+Names are looked up here and nowhere else: those of Google Benchmark, and `work`, `name` of `peers`.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from .results import Figure, Results, figure
+
+Lookup = Callable[[Results], Figure | None]
+
+
+@dataclass(frozen=True)
+class Source:
+    """One figure among the results, and who it belongs to."""
+
+    label: str
+    find: Lookup
+
+
+@dataclass(frozen=True)
+class Goal:
+    """A row of the summary."""
+
+    work: str
+    ours: Source
+    peers: tuple[Source, ...] = ()
+    factor: float = 0.0  # how many times better than the best of `peers`
+    limit: Figure | None = None  # and no more than this
+
+    @property
+    def words(self) -> str:
+        """The goal as text."""
+        parts = [f"{self.factor:g}x"] if self.factor else []
+        return " and ".join([*parts, f"<= {self.limit}"] if self.limit else parts)
+
+
+@dataclass(frozen=True)
+class Score:
+    """What came of a goal."""
+
+    goal: Goal
+    ours: Figure | None
+    peer: str = ""
+    theirs: Figure | None = None
+
+    @property
+    def ratio(self) -> float | None:
+        """How many times better than the best peer."""
+        if self.ours is None or self.theirs is None:
+            return None
+        return self.ours.better_than(self.theirs)
+
+    @property
+    def verdict(self) -> str:
+        """yes, NO, or what is missing for a verdict."""
+        if self.ours is None:
+            return "missing: ltp"
+        if self.goal.factor and self.ratio is None:
+            return "missing: peer"
+        met = not self.goal.factor or (self.ratio or 0.0) >= self.goal.factor
+        if self.goal.limit is not None:
+            met = met and self.ours.better_than(self.goal.limit) >= 1.0
+        return "yes" if met else "NO"
+
+
+def score(goal: Goal, results: Results) -> Score:
+    """Hold a goal against the results: the best peer that was measured counts."""
+    ours = goal.ours.find(results)
+    measured = [(peer.label, found) for peer in goal.peers if (found := peer.find(results))]
+    if not measured:
+        return Score(goal, ours)
+    best = measured[0]
+    for other in measured[1:]:
+        if other[1].better_than(best[1]) > 1.0:
+            best = other
+    return Score(goal, ours, *best)
+
+
+def cpp(label: str, name: str, rate: str = "", each: str = "") -> Source:
+    """A C++ benchmark: its CPU time, or one of its counters: a rate, or the time of one thing."""
+    return Source(label, lambda results: results.of_cpp(name, rate, each))
+
+
+def python(work: str, name: str) -> Source:
+    """A contestant of `peers`."""
+    return Source(name, lambda results: results.of_python(work, name))
+
+
+def scale(name: str) -> Source:
+    """A single figure of `scale`."""
+    return Source("", lambda results: results.of_scale(name))
+
+
+_RAYS = "rays_per_second"
+
+GOALS: tuple[Goal, ...] = (
+    Goal(
+        "shortest path, one query",
+        python("shortest", "ltp auto"),
+        (python("shortest", "dijkstra3d A*"), python("shortest", "dijkstra3d A*, our graph")),
+        factor=100,
+    ),
+    Goal(
+        "Dijkstra, one query",
+        python("dijkstra", "ltp lp-dijkstra"),
+        (python("dijkstra", "dijkstra3d"), python("dijkstra", "dijkstra3d, our graph")),
+        factor=7,
+    ),
+    Goal(
+        "distance field, 1.6 M cells",
+        python("distance_field", "ltp"),
+        (python("distance_field", "dijkstra3d"), python("distance_field", "dijkstra3d, our graph")),
+        factor=5,
+    ),
+    Goal(
+        "GGWP, one query",
+        cpp("ltp", "ggwp/ltp"),
+        (cpp("scalar wave", "ggwp/scalar_wave"),),
+        factor=8,
+    ),
+    Goal(
+        "proof that a goal is unreachable",
+        python("unreachable", "ltp auto"),
+        (python("unreachable", "dijkstra3d A*"), python("unreachable", "tcod A*")),
+        factor=50,
+    ),
+    Goal(
+        "LiDAR, level, rays (C++)",
+        cpp("ltp", "lidar/level/ltp", _RAYS),
+        (
+            cpp("Embree packets, boxes", "lidar/level/embree_box", _RAYS),
+            cpp("Embree packets, raster", "lidar/level/embree_raster", _RAYS),
+        ),
+        factor=1.5,
+    ),
+    Goal(
+        "LiDAR, level, rays (Python)",
+        python("lidar_level", "ltp Lidar.scan"),
+        (
+            python("lidar_level", "embreex, mesh of the boxes"),
+            python("lidar_level", "embreex, mesh of the raster"),
+        ),
+        factor=10,
+    ),
+    Goal(
+        "LiDAR, any attitude, rays (Python)",
+        python("lidar_tilted", "ltp cast_rays"),
+        (
+            python("lidar_tilted", "embreex, mesh of the boxes"),
+            python("lidar_tilted", "embreex, mesh of the raster"),
+        ),
+        factor=3,
+    ),
+    Goal(
+        "map update per scan, endpoints",
+        cpp("ltp", "map_insert/ltp"),
+        (cpp("OctoMap", "map_insert/octomap"),),
+        factor=5,
+    ),
+    Goal(
+        "the same, beside a sparse grid",
+        cpp("ltp", "map_insert/ltp"),
+        (cpp("OpenVDB", "map_insert/openvdb"),),
+        factor=1,
+    ),
+    Goal(
+        "map update per scan, endpoints (Python)",
+        python("map_update", "ltp ObstacleMap"),
+        (
+            python("map_update", "pyoctomap updateNodes"),
+            python("map_update", "octomap-python updateNodes"),
+        ),
+        factor=5,
+    ),
+    Goal(
+        "map update per scan, carving",
+        cpp("ltp", "map_carve/ltp"),
+        (cpp("OctoMap", "map_carve/octomap"),),
+        factor=10,
+    ),
+    Goal(
+        "point query, random",
+        cpp("ltp", "point_query/random/ltp", each="a_point"),
+        (cpp("OctoMap", "point_query/random/octomap", each="a_point"),),
+        factor=5,
+    ),
+    Goal(
+        "point query, along a segment",
+        cpp("ltp", "point_query/segment/ltp", each="a_point"),
+        (cpp("OctoMap", "point_query/segment/octomap", each="a_point"),),
+        factor=5,
+    ),
+    Goal(
+        "point query from numpy",
+        python("point_query", "ltp blocked_at"),
+        (python("point_query", "pyoctomap getLabels"),),
+        limit=figure(5.0, "ns"),
+    ),
+    *(
+        Goal(
+            f"roll by one cell along {axis}",
+            cpp("ltp", f"roll/{axis}/ltp"),
+            (cpp("memmove, the floor", "roll/floor_memmove"),),
+            limit=figure(rog_map / 10.0, "us"),
+        )
+        for axis, rog_map in (("x", 75.0), ("y", 107.0), ("z", 590.0))  # what ROG-Map takes [us]
+    ),
+    Goal(
+        "inflate by 4 m, a new cell",
+        cpp("ltp", "inflate/cell/ltp", each="a_cell"),
+        limit=figure(100.0, "ns"),
+    ),
+    Goal("inflate by 4 m, the window", cpp("ltp", "inflate/window/ltp"), limit=figure(0.25, "ms")),
+    Goal(
+        "inflate by 4 m, the window (Python)",
+        python("inflate", "ltp inflate"),
+        (python("inflate", "scipy binary_dilation"),),
+        factor=10,
+    ),
+    Goal(
+        "a whole 500 m flight",
+        python("flight", "ltp, sense, map, plan and fly"),
+        (
+            python("flight", "Open3D + pyoctomap, sense and map"),
+            python("flight", "embreex + pyoctomap, sense and map"),
+        ),
+        limit=figure(2.0, "s"),
+    ),
+    Goal("12.8 M cells, median plan", scale("plan_12.8M_median"), limit=figure(100.0, "ms")),
+    Goal("12.8 M cells, worst plan", scale("plan_12.8M_worst"), limit=figure(100.0, "ms")),
+    Goal("memory of the whole LTP", scale("memory"), limit=figure(32.0, "MB")),
+)
