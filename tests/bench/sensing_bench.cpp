@@ -24,7 +24,7 @@ void scan(benchmark::State& state, bool tilted) {
   std::int64_t hits = 0;
   for (auto _ : state) {
     for (const Pose& pose : poses) {
-      lidar.scan(surface, pose, 0, scan);
+      lidar.scan(surface, pose, 0, scan, Misses::Counted);
       hits += scan.statistics.hits;
     }
   }

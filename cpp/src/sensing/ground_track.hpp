@@ -17,8 +17,8 @@ inline constexpr double kParallel = 1e-12;
 /// One axis of a track. Every crossing time comes from `time` alone, so whoever asks for the same
 /// boundary gets the same number, however he came there.
 struct TrackAxis {
-  TrackAxis(double origin, double direction, double raster_origin, double cell, int count)
-      : start((origin - raster_origin) / cell), cells(count) {
+  /// @param at  where the track starts [cells]
+  TrackAxis(double at, double direction, double cell, int count) : start(at), cells(count) {
     if (std::abs(direction) < kParallel) return;
     step = direction > 0.0 ? 1 : -1;
     rate = direction / cell;
@@ -52,6 +52,11 @@ struct TrackAxis {
     return cell;
   }
 
+  /// Whether it enters a cell at time `t`, by a boundary of this axis.
+  bool enters(int cell, double t) const {
+    return step != 0 && time(step > 0 ? cell : cell + 1) == t;
+  }
+
   double start;          ///< [cells]
   double rate = 0.0;     ///< cells per metre of the track
   double inverse = 0.0;  ///< metres of the track per cell
@@ -59,18 +64,25 @@ struct TrackAxis {
   int cells;             ///< of the raster along this axis
 };
 
+/// Where a point lies over a raster along one axis (0: x, 1: y) [cells].
+inline double start_over(const Raster& raster, const Point& point, int axis) {
+  return (point[axis] - raster.origin()[axis]) / raster.cell();
+}
+
 /// Both axes, and the part of the track that lies over the raster, from the origin on.
 struct GroundTrack {
-  GroundTrack(const Raster& raster, double origin_x, double origin_y, double direction_x,
-              double direction_y)
-      : x(origin_x, direction_x, raster.origin().x(), raster.cell(), raster.nx()),
-        y(origin_y, direction_y, raster.origin().y(), raster.cell(), raster.ny()),
-        leave(std::min(x.leave(), y.leave())) {
+  GroundTrack(const TrackAxis& along_x, const TrackAxis& along_y)
+      : x(along_x), y(along_y), leave(std::min(x.leave(), y.leave())) {
     const double enter_x = x.enter();
     const double enter_y = y.enter();
     if (enter_x >= 0.0 || enter_y >= 0.0) axis = enter_x >= enter_y ? 0 : 1;
     enter = std::max({0.0, enter_x, enter_y});
   }
+
+  GroundTrack(const Raster& raster, const Point& origin, double direction_x, double direction_y)
+      : GroundTrack(
+            TrackAxis(start_over(raster, origin, 0), direction_x, raster.cell(), raster.nx()),
+            TrackAxis(start_over(raster, origin, 1), direction_y, raster.cell(), raster.ny())) {}
 
   bool crosses() const { return enter < leave; }
 
@@ -79,6 +91,14 @@ struct GroundTrack {
   double enter;   ///< [m]
   double leave;   ///< [m]
   int axis = -1;  ///< the face through which it enters the raster: 0: x, 1: y, -1: starts inside
+};
+
+/// How far a ray has come: it has just entered cell (i, j), and has hit nothing before.
+struct TrackPosition {
+  int i;
+  int j;
+  double t;  ///< [m]
+  int face;  ///< by which it entered: 0: x, 1: y, -1: starts inside
 };
 
 }  // namespace ltp::sensing
