@@ -22,7 +22,7 @@ int expect_same(const Surface& surface, const Point& from, const Eigen::Matrix3d
   surface.cast_bundle(from, turn, directions, max_range, hits);
   std::int64_t n = 0;
   for (Eigen::Index ray = 0; ray < directions.rows(); ++ray) {
-    const Point direction = turn * directions.row(ray).transpose();
+    const Point direction = turned(turn, directions.row(ray));
     const RayHit single = surface.cast(from, direction, max_range);
     const bool found = n < hits.size() && hits.ray(n) == ray;
     EXPECT_EQ(found, single.hit()) << "from " << from.transpose() << " towards "

@@ -14,15 +14,33 @@ namespace ltp::sensing {
 /// A direction with a smaller component than this runs parallel to the axis.
 inline constexpr double kParallel = 1e-12;
 
+/// Where a point lies over a raster along one axis (0: x, 1: y) [cells].
+inline double start_over(const Raster& raster, const Point& point, int axis) {
+  return (point[axis] - raster.origin()[axis]) / raster.cell();
+}
+
+/// What all tracks from one point have in common along one axis (0: x, 1: y) of a raster.
+struct TrackStart {
+  TrackStart(const Raster& raster, const Point& origin, int axis)
+      : start(start_over(raster, origin, axis)),
+        cell(raster.cell()),
+        per_cell(1.0 / raster.cell()),
+        cells(axis == 0 ? raster.nx() : raster.ny()) {}
+
+  double start;     ///< [cells]
+  double cell;      ///< [m]
+  double per_cell;  ///< [1/m]
+  int cells;        ///< of the raster along this axis
+};
+
 /// One axis of a track. Every crossing time comes from `time` alone, so whoever asks for the same
 /// boundary gets the same number, however he came there.
 struct TrackAxis {
-  /// @param at  where the track starts [cells]
-  TrackAxis(double at, double direction, double cell, int count) : start(at), cells(count) {
+  TrackAxis(const TrackStart& from, double direction) : start(from.start), cells(from.cells) {
     if (std::abs(direction) < kParallel) return;
     step = direction > 0.0 ? 1 : -1;
-    rate = direction / cell;
-    inverse = cell / direction;
+    rate = direction * from.per_cell;
+    inverse = from.cell / direction;
   }
 
   /// When the track crosses the boundary below cell `boundary` [m along it].
@@ -52,6 +70,10 @@ struct TrackAxis {
     return cell;
   }
 
+  /// When it leaves a cell by a boundary of this axis.
+  double leave(int cell) const {
+    return step == 0 ? std::numeric_limits<double>::infinity() : time(step > 0 ? cell + 1 : cell);
+  }
   /// Whether it enters a cell at time `t`, by a boundary of this axis.
   bool enters(int cell, double t) const {
     return step != 0 && time(step > 0 ? cell : cell + 1) == t;
@@ -63,11 +85,6 @@ struct TrackAxis {
   int step = 0;          ///< -1, 0 (parallel) or 1
   int cells;             ///< of the raster along this axis
 };
-
-/// Where a point lies over a raster along one axis (0: x, 1: y) [cells].
-inline double start_over(const Raster& raster, const Point& point, int axis) {
-  return (point[axis] - raster.origin()[axis]) / raster.cell();
-}
 
 /// Both axes, and the part of the track that lies over the raster, from the origin on.
 struct GroundTrack {
@@ -81,8 +98,8 @@ struct GroundTrack {
 
   GroundTrack(const Raster& raster, const Point& origin, double direction_x, double direction_y)
       : GroundTrack(
-            TrackAxis(start_over(raster, origin, 0), direction_x, raster.cell(), raster.nx()),
-            TrackAxis(start_over(raster, origin, 1), direction_y, raster.cell(), raster.ny())) {}
+            TrackAxis(TrackStart(raster, origin, 0), direction_x),
+            TrackAxis(TrackStart(raster, origin, 1), direction_y)) {}
 
   bool crosses() const { return enter < leave; }
 

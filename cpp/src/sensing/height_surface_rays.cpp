@@ -29,13 +29,25 @@ RayHit HeightSurface::cast(const Point& origin, const Point& direction, double m
   return walk(origin, direction, max_range, track, from, std::min(top(), kFirstLevel));
 }
 
+RayHit HeightSurface::column_hit(const Point& origin, const Point& direction, double max_range,
+                                 const TrackPosition& at, double t_out) const {
+  const double height = heights_.values()(at.i, at.j);
+  const bool top_hit = origin.z() + at.t * direction.z() >= height;
+  RayHit hit;
+  hit.range = top_hit ? std::clamp((height - origin.z()) / direction.z(), at.t, t_out) : at.t;
+  if (!(hit.range < max_range)) return RayHit();
+  hit.inside =
+      sensing::inside_column(heights_, at.i, at.j, height, top_hit ? sensing::kTopFace : at.face,
+                             origin + hit.range * direction);
+  return hit;
+}
+
 RayHit HeightSurface::walk(const Point& origin, const Point& direction, double max_range,
                            const GroundTrack& track, const TrackPosition& from, int level) const {
   const TrackAxis& x = track.x;
   const TrackAxis& y = track.y;
   const double rise = direction.z();
   const auto altitude = [&](double t) { return origin.z() + t * rise; };
-  RayHit hit;
   auto [i, j, t_in, face] = from;
 
   while (true) {
@@ -55,16 +67,11 @@ RayHit HeightSurface::walk(const Point& origin, const Point& direction, double m
         --level;
         continue;
       }
-      const bool top_hit = altitude(t_in) >= height;
-      hit.range = top_hit ? std::clamp((height - origin.z()) / rise, t_in, t_out) : t_in;
-      if (!(hit.range < max_range)) return RayHit();
-      hit.inside = sensing::inside_column(heights_, i, j, height, top_hit ? sensing::kTopFace : face,
-                                 origin + hit.range * direction);
-      return hit;
+      return column_hit(origin, direction, max_range, {i, j, t_in, face}, t_out);
     }
 
     t_in = t_out;
-    if (t_in >= track.leave || t_in >= max_range) return hit;
+    if (t_in >= track.leave || t_in >= max_range) return RayHit();
     // Through a corner both at once.
     const bool cross_x = t_x <= t_out;
     const bool cross_y = t_y <= t_out;

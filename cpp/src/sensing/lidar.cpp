@@ -104,7 +104,7 @@ class Sorter {
 
  private:
   Point at(Eigen::Index ray, double range) const {
-    return out_.origin + range * (turn_ * directions_.row(ray).transpose());
+    return out_.origin + range * turned(turn_, directions_.row(ray));
   }
 
   const LidarOptions& options_;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "panorama.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "ground_track.hpp"
@@ -9,11 +11,20 @@
 namespace ltp::sensing {
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kSteep = 1e-9;    // a ray that goes less ahead goes straight up or down
+constexpr double kSteepest = 2.0;  // slope of the outer rows, which hold all beyond as well
+constexpr int kRows = 128;
+constexpr double kRowsPerSlope = kRows / (2.0 * kSteepest);
+
 // Rays are computed with rounding, and so is the picture. These margins are far above both, and far
-// below what would make a ray look for its hit in vain.
+// below what would make many a ray look for its hit in vain.
 constexpr double kAside = 1e-6;     // by which a wedge is wider [cells]
 constexpr double kAbove = 1e-6;     // by which all tops are higher [m]
-constexpr double kRelative = 1e-9;  // by which they are higher for their size, and ranges longer
+constexpr double kRelative = 1e-9;  // and by which they are for their size; also of ranges
+
+/// The smallest magnitude in [low, high].
+double least(double low, double high) { return std::max({low, -high, 0.0}); }
 
 }  // namespace
 
@@ -25,16 +36,11 @@ bool Panorama::can_look_from(const Raster& heights, const Point& origin) {
 
 void Panorama::look(const Raster& heights, const Point& origin, double max_range, int columns) {
   columns_ = columns;
-  columns_per_heading_ = 0.5 * columns;
-  last_column_ = columns - 1.0;
-  max_range_ = max_range * (1.0 + kRelative);
-  slabs_.resize(std::size_t{4} * columns * kRows);
-  const double reach = std::ceil(max_range / heights.cell()) + 2.0;
-  const int slabs = static_cast<int>(std::min(reach, kNothing - 1.0));
-  for (int side = 0; side < 4; ++side) look_along(heights, origin, side, slabs);
+  pixels_.resize(std::size_t{4} * columns * kRows);
+  for (int side = 0; side < 4; ++side) look_along(heights, origin, max_range, side);
 }
 
-void Panorama::look_along(const Raster& heights, const Point& origin, int side, int slabs) {
+void Panorama::look_along(const Raster& heights, const Point& origin, double max_range, int side) {
   const bool along_x = side < 2;
   const int step = side % 2 == 0 ? 1 : -1;
   const double cell = heights.cell();
@@ -45,51 +51,80 @@ void Panorama::look_along(const Raster& heights, const Point& origin, int side, 
   const std::ptrdiff_t ahead_stride = along_x ? heights.ny() : 1;
   const std::ptrdiff_t aside_stride = along_x ? 1 : heights.ny();
 
-  // The slabs up to the raster's edge, and where each begins and ends.
-  const int first = step > 0 ? static_cast<int>(std::floor(ahead))
-                             : static_cast<int>(std::ceil(ahead)) - 1;
-  const int count = std::min(slabs, step > 0 ? ahead_cells - first : first + 1);
+  // The slabs as far as the raster or the maximum range reaches.
+  const int first =
+      step > 0 ? static_cast<int>(std::floor(ahead)) : static_cast<int>(std::ceil(ahead)) - 1;
+  const int to_edge = step > 0 ? ahead_cells - first : first + 1;
+  const double in_range = std::min(std::ceil(max_range / cell) + 1.0, kNothing - 1.0);
   const double entered = step > 0 ? first - ahead : ahead - (first + 1);  // not positive
-  std::vector<double>& near = near_[side];
-  near.resize(count);
-  far_.resize(count);
-  for (int slab = 0; slab < count; ++slab) {
-    near[slab] = std::max(entered + slab, 0.0) * cell;
-    far_[slab] = (entered + slab + 1) * cell;
+  slabs_.clear();
+  for (int slab = 0; slab < std::min<double>(to_edge, in_range); ++slab) {
+    const double begin = std::max(entered + slab, 0.0);
+    const double end = entered + slab + 1;
+    slabs_.push_back({begin, end, 1.0 / (begin * cell), 1.0 / (end * cell)});
   }
 
   const double* values = heights.values().data() + first * ahead_stride;
+  const double square_range = std::pow(max_range / cell, 2) * (1.0 + kRelative);
   for (int column = 0; column < columns_; ++column) {
-    const double low = column / columns_per_heading_ - 1.0;
-    const double high = (column + 1) / columns_per_heading_ - 1.0;
-    std::uint16_t* pixels =
-        slabs_.data() + (static_cast<std::size_t>(side) * columns_ + column) * kRows;
+    const double low = 2.0 * column / columns_ - 1.0;
+    const double high = 2.0 * (column + 1) / columns_ - 1.0;
+    std::uint16_t* pixels = pixels_.data() + (std::size_t{1} * side * columns_ + column) * kRows;
+    const double least_square = 1.0 + std::pow(least(low, high), 2);
     int row = 0;
-    // The outer row holds all steeper rays as well.
-    double slope = -std::numeric_limits<double>::infinity();
-    for (int slab = 0; slab < count && row < kRows; ++slab) {
-      const double* line = values + slab * step * ahead_stride;
-      const double begin = near[slab] / cell;
-      const double end = far_[slab] / cell;
-      const double from = aside - kAside + low * (low < 0.0 ? end : begin);
-      const double to = aside + kAside + high * (high > 0.0 ? end : begin);
+    double slope = -kInfinity;  // of the steepest ray down in this row
+    for (std::size_t n = 0; n < slabs_.size() && row < kRows; ++n) {
+      const Slab& slab = slabs_[n];
+      const double from = aside - kAside + low * (low < 0.0 ? slab.end : slab.begin);
+      const double to = aside + kAside + high * (high > 0.0 ? slab.end : slab.begin);
+      const double* line = values + static_cast<std::ptrdiff_t>(n) * step * ahead_stride;
       const int last = to < aside_cells ? static_cast<int>(to) : aside_cells - 1;
-      double top = -std::numeric_limits<double>::infinity();
-      for (int n = from > 0.0 ? static_cast<int>(from) : 0; n <= last; ++n) {
-        top = std::max(top, line[n * aside_stride]);
+      double top = -kInfinity;
+      for (int cell_aside = from > 0.0 ? static_cast<int>(from) : 0; cell_aside <= last;
+           ++cell_aside) {
+        top = std::max(top, line[cell_aside * aside_stride]);
       }
-      // Steeper than this, and a ray is above all of them.
+      if (to < 0.0 || top == -kInfinity) break;  // beyond the raster
       const double rise =
           top - origin.z() + kAbove + kRelative * (std::abs(top) + std::abs(origin.z()));
-      const double blocked = rise / (rise > 0.0 ? near[slab] : far_[slab]);
+      const double blocked = rise * (rise > 0.0 ? slab.per_begin : slab.per_end);
       while (slope < blocked) {
-        pixels[row] = static_cast<std::uint16_t>(slab);
+        const double next_slope = (row + 1) / kRowsPerSlope - kSteepest;
+        const double square = least_square + std::pow(least(slope, row + 1 < kRows ? next_slope : kInfinity), 2);
+        pixels[row] = slab.begin * slab.begin * square < square_range ? static_cast<std::uint16_t>(n) : kNothing;
         if (++row == kRows) break;
-        slope = row / kRowsPerSlope - kSteepest;
+        slope = next_slope;
       }
     }
     std::fill(pixels + row, pixels + kRows, kNothing);
   }
+}
+
+int Panorama::glance(Rays& rays, int count) const {
+  const double columns_per_slope = 0.5 * columns_;
+  const double last_column = columns_ - 1.0;
+  const int up = columns_ * kRows;
+  for (int n = 0; n < count; ++n) {
+    const double x = std::abs(rays.x[n]);
+    const double y = std::abs(rays.y[n]);
+    const bool along_x = x >= y;
+    const double ahead = along_x ? rays.x[n] : rays.y[n];
+    const double aside = along_x ? rays.y[n] : rays.x[n];
+    const double stretch = 1.0 / std::max(std::max(x, y), kSteep);
+    const double column = std::min((aside * stretch + 1.0) * columns_per_slope, last_column);
+    const double row = (rays.z[n] * stretch + kSteepest) * kRowsPerSlope;
+    rays.pixel[n] = static_cast<int>(column) * kRows +
+                    static_cast<int>(std::min(std::max(row, 0.0), kRows - 1.0)) +
+                    (along_x ? 0 : 2 * up) + (ahead < 0.0 ? up : 0);
+  }
+  int found = 0;
+  for (int n = 0; n < count; ++n) {
+    const std::uint16_t slab = pixels_[rays.pixel[n]];
+    rays.near[found] = n;
+    rays.slab[found] = slab;
+    found += slab != kNothing;
+  }
+  return found;
 }
 
 }  // namespace ltp::sensing

@@ -50,7 +50,7 @@ void Surface::cast_fan(const Point& origin, const Eigen::Vector2d& heading, cons
 void Surface::cast_bundle(const Point& origin, const Eigen::Matrix3d& turn,
                           const PathRef& directions, double max_range, RayHits& hits) const {
   for (Eigen::Index ray = 0; ray < directions.rows(); ++ray) {
-    const RayHit hit = cast(origin, turn * directions.row(ray).transpose(), max_range);
+    const RayHit hit = cast(origin, turned(turn, directions.row(ray)), max_range);
     if (hit.hit()) hits.add(ray, hit.range, hit.inside);
   }
 }

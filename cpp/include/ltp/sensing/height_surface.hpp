@@ -14,6 +14,7 @@ namespace ltp {
 
 namespace sensing {
 struct GroundTrack;
+struct TrackAxis;
 struct TrackPosition;
 }  // namespace sensing
 
@@ -66,6 +67,12 @@ class HeightSurface final : public Surface {
   RayHit walk(const Point& origin, const Point& direction, double max_range,
               const sensing::GroundTrack& track, const sensing::TrackPosition& from,
               int level) const;
+  /// A ray's walk from a slab on (counted along the axis that it crosses faster), cell by cell.
+  RayHit walk_cells(const Point& origin, const Point& direction, double max_range,
+                    const sensing::TrackAxis& x, const sensing::TrackAxis& y, int slab) const;
+  /// Where a ray hits the column of the cell where it is, and which it would leave at `t_out`.
+  RayHit column_hit(const Point& origin, const Point& direction, double max_range,
+                    const sensing::TrackPosition& at, double t_out) const;
   /// Squared distance [m^2] from a point to the solid below a block, or `nearest` if that is less.
   double squared_clearance(const Point& point, int level, int bi, int bj, double nearest) const;
   /// Squared distance [m^2] from a point to the box that bounds the solid of a block.

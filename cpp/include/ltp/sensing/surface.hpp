@@ -72,6 +72,12 @@ class BeamFan {
   std::vector<Beam> beams_;
 };
 
+/// A direction, shape (3,) by row, turned: always by the same additions in the same order.
+template <typename Row>
+Point turned(const Eigen::Matrix3d& turn, const Row& direction) {
+  return turn.col(0) * direction[0] + turn.col(1) * direction[1] + turn.col(2) * direction[2];
+}
+
 /// A ray touches a surface's solid when it enters its interior: one that only grazes a face, an
 /// edge or a corner goes on. A ray that starts inside the solid hits at range 0.
 class Surface {
@@ -91,7 +97,7 @@ class Surface {
                         double max_range, std::int64_t first_ray, RayHits& hits) const;
 
   /// All rays of one origin at once, numbered from 0: what `cast` says of each, to the last bit.
-  /// @param turn        a rotation, applied to each direction
+  /// @param turn        a rotation, applied to each direction by `turned`
   /// @param directions  unit vectors, shape (N, 3)
   /// @param hits        the bundle's are added
   /// The default casts one by one; a height surface first looks where each ray can hit at all.
