@@ -27,6 +27,11 @@ struct TrackStart {
         per_cell(1.0 / raster.cell()),
         cells(axis == 0 ? raster.nx() : raster.ny()) {}
 
+  /// The cell in which a track begins that goes up, down or neither, if it begins inside.
+  int first_cell(int step) const {
+    return static_cast<int>(step < 0 ? std::ceil(start) - 1.0 : std::floor(start));
+  }
+
   double start;     ///< [cells]
   double cell;      ///< [m]
   double per_cell;  ///< [1/m]

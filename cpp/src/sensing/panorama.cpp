@@ -12,10 +12,6 @@ namespace ltp::sensing {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kSteep = 1e-9;    // a ray that goes less ahead goes straight up or down
-constexpr double kSteepest = 2.0;  // slope of the outer rows, which hold all beyond as well
-constexpr int kRows = 128;
-constexpr double kRowsPerSlope = kRows / (2.0 * kSteepest);
 
 // Rays are computed with rounding, and so is the picture. These margins are far above both, and far
 // below what would make many a ray look for its hit in vain.
@@ -98,33 +94,6 @@ void Panorama::look_along(const Raster& heights, const Point& origin, double max
     }
     std::fill(pixels + row, pixels + kRows, kNothing);
   }
-}
-
-int Panorama::glance(Rays& rays, int count) const {
-  const double columns_per_slope = 0.5 * columns_;
-  const double last_column = columns_ - 1.0;
-  const int up = columns_ * kRows;
-  for (int n = 0; n < count; ++n) {
-    const double x = std::abs(rays.x[n]);
-    const double y = std::abs(rays.y[n]);
-    const bool along_x = x >= y;
-    const double ahead = along_x ? rays.x[n] : rays.y[n];
-    const double aside = along_x ? rays.y[n] : rays.x[n];
-    const double stretch = 1.0 / std::max(std::max(x, y), kSteep);
-    const double column = std::min((aside * stretch + 1.0) * columns_per_slope, last_column);
-    const double row = (rays.z[n] * stretch + kSteepest) * kRowsPerSlope;
-    rays.pixel[n] = static_cast<int>(column) * kRows +
-                    static_cast<int>(std::min(std::max(row, 0.0), kRows - 1.0)) +
-                    (along_x ? 0 : 2 * up) + (ahead < 0.0 ? up : 0);
-  }
-  int found = 0;
-  for (int n = 0; n < count; ++n) {
-    const std::uint16_t slab = pixels_[rays.pixel[n]];
-    rays.near[found] = n;
-    rays.slab[found] = slab;
-    found += slab != kNothing;
-  }
-  return found;
 }
 
 }  // namespace ltp::sensing

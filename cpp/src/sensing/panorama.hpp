@@ -3,7 +3,9 @@
 // `Panorama`: what can be seen from a point over a height raster, roughly but never too far away.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -38,10 +40,16 @@ class Panorama {
     std::array<int, kMost> near;            ///< those that may hit within the maximum range,
     std::array<std::uint16_t, kMost> slab;  ///< and where the first of them may, the second, ...
   };
-  /// Looks where the first `count` rays can hit; how many of them can.
-  int glance(Rays& rays, int count) const;
+  /// Looks where the first `count` rays can hit; how many of them can. Inlined, to be compiled for
+  /// what the caller is compiled for.
+  __attribute__((always_inline)) int glance(Rays& rays, int count) const;
 
  private:
+  static constexpr double kSteep = 1e-9;    // a ray that goes less ahead goes straight up or down
+  static constexpr double kSteepest = 2.0;  // slope of the outer rows, which hold all beyond as well
+  static constexpr int kRows = 128;
+  static constexpr double kRowsPerSlope = kRows / (2.0 * kSteepest);
+
   /// The cells between two lines across a side's axis.
   struct Slab {
     double begin;      ///< from the point of view [cells]
@@ -56,5 +64,32 @@ class Panorama {
   std::vector<Slab> slabs_;            ///< of the side that is being made
   std::vector<std::uint16_t> pixels_;  ///< by side, column, row
 };
+
+inline int Panorama::glance(Rays& rays, int count) const {
+  const double columns_per_slope = 0.5 * columns_;
+  const double last_column = columns_ - 1.0;
+  const int up = columns_ * kRows;
+  for (int n = 0; n < count; ++n) {
+    const double x = std::abs(rays.x[n]);
+    const double y = std::abs(rays.y[n]);
+    const bool along_x = x >= y;
+    const double ahead = along_x ? rays.x[n] : rays.y[n];
+    const double aside = along_x ? rays.y[n] : rays.x[n];
+    const double stretch = 1.0 / std::max(std::max(x, y), kSteep);
+    const double column = std::min((aside * stretch + 1.0) * columns_per_slope, last_column);
+    const double row = (rays.z[n] * stretch + kSteepest) * kRowsPerSlope;
+    rays.pixel[n] = static_cast<int>(column) * kRows +
+                    static_cast<int>(std::min(std::max(row, 0.0), kRows - 1.0)) +
+                    (along_x ? 0 : 2 * up) + (ahead < 0.0 ? up : 0);
+  }
+  int found = 0;
+  for (int n = 0; n < count; ++n) {
+    const std::uint16_t slab = pixels_[rays.pixel[n]];
+    rays.near[found] = n;
+    rays.slab[found] = slab;
+    found += slab != kNothing;
+  }
+  return found;
+}
 
 }  // namespace ltp::sensing

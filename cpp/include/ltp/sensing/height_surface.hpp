@@ -14,7 +14,6 @@ namespace ltp {
 
 namespace sensing {
 struct GroundTrack;
-struct TrackAxis;
 struct TrackPosition;
 }  // namespace sensing
 
@@ -67,9 +66,6 @@ class HeightSurface final : public Surface {
   RayHit walk(const Point& origin, const Point& direction, double max_range,
               const sensing::GroundTrack& track, const sensing::TrackPosition& from,
               int level) const;
-  /// A ray's walk from a slab on (counted along the axis that it crosses faster), cell by cell.
-  RayHit walk_cells(const Point& origin, const Point& direction, double max_range,
-                    const sensing::TrackAxis& x, const sensing::TrackAxis& y, int slab) const;
   /// Where a ray hits the column of the cell where it is, and which it would leave at `t_out`.
   RayHit column_hit(const Point& origin, const Point& direction, double max_range,
                     const sensing::TrackPosition& at, double t_out) const;
