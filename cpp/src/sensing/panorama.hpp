@@ -47,7 +47,7 @@ class Panorama {
  private:
   static constexpr double kSteep = 1e-9;    // a ray that goes less ahead goes straight up or down
   static constexpr double kSteepest = 2.0;  // slope of the outer rows, which hold all beyond as well
-  static constexpr int kRows = 128;
+  static constexpr int kRows = 256;
   static constexpr double kRowsPerSlope = kRows / (2.0 * kSteepest);
 
   /// The cells between two lines across a side's axis.
