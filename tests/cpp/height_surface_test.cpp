@@ -22,11 +22,11 @@ std::vector<RayHit> cast_fan(const Surface& surface, const Point& from,
                              const Eigen::Vector2d& heading, const BeamFan& fan, double max_range) {
   RayHits found;
   found.reset(fan.size());
-  surface.cast_fan(from, heading, fan, max_range, 7, found);
+  surface.cast_fans(from, {heading}, fan, max_range, found);
   std::vector<RayHit> hits(fan.size());
   for (std::int64_t n = 0; n < found.size(); ++n) {
     EXPECT_TRUE(n == 0 || found.ray(n) > found.ray(n - 1));
-    hits.at(found.ray(n) - 7) = {found.range(n), found.inside(n)};
+    hits.at(found.ray(n)) = {found.range(n), found.inside(n)};
   }
   return hits;
 }

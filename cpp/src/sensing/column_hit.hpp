@@ -12,21 +12,35 @@ namespace ltp::sensing {
 
 inline constexpr int kTopFace = 2;  ///< after 0 and 1, the walls across x and y; -1: started inside
 
-/// A point on the surface of column (i, j), moved into it through the face that was hit. It keeps a
-/// margin from the other faces, so that rounding cannot put it into the neighbour.
-inline Point inside_column(const Raster& heights, int i, int j, double height, int face,
-                    const Point& point) {
-  const double cell = heights.cell();
-  const double low_x = heights.origin().x() + i * cell;
-  const double low_y = heights.origin().y() + j * cell;
-  const double depth = std::min(kHitDepth, 0.5 * cell);
-  const double margin = std::min(kHitMargin, 0.25 * cell);
-  const double from_x = face == 0 ? depth : margin;
-  const double from_y = face == 1 ? depth : margin;
-  const double from_top = face == kTopFace ? kHitDepth : kHitMargin;
-  return {std::min(std::max(point.x(), low_x + from_x), low_x + cell - from_x),
-          std::min(std::max(point.y(), low_y + from_y), low_y + cell - from_y),
-          std::min(point.z(), height - from_top)};
-}
+/// Moves points of a column's surface into it, through the face that was hit. They keep a margin
+/// from the other faces, so that rounding cannot put them into the neighbour.
+class ColumnInside {
+ public:
+  ColumnInside(const Raster& heights, int i, int j, double height)
+      : cell_(heights.cell()),
+        low_x_(heights.origin().x() + i * cell_),
+        low_y_(heights.origin().y() + j * cell_),
+        height_(height) {}
+
+  double x(int face, double on_surface) const { return within(low_x_, face == 0, on_surface); }
+  double y(int face, double on_surface) const { return within(low_y_, face == 1, on_surface); }
+  double z(int face, double on_surface) const {
+    return std::min(on_surface, height_ - (face == kTopFace ? kHitDepth : kHitMargin));
+  }
+  Point operator()(int face, const Point& p) const {
+    return {x(face, p.x()), y(face, p.y()), z(face, p.z())};
+  }
+
+ private:
+  double within(double low, bool hit, double on_surface) const {
+    const double inset = hit ? std::min(kHitDepth, 0.5 * cell_) : std::min(kHitMargin, 0.25 * cell_);
+    return std::min(std::max(on_surface, low + inset), low + cell_ - inset);
+  }
+
+  double cell_;
+  double low_x_;
+  double low_y_;
+  double height_;
+};
 
 }  // namespace ltp::sensing

@@ -1,68 +1,136 @@
 // SPDX-FileCopyrightText: 2026 The ltp authors
 // SPDX-License-Identifier: BSD-3-Clause
-// `HeightSurface`: the fan of beams of one azimuth, by one sweep of the horizon.
+// `HeightSurface`: fans of beams, each by one sweep of the horizon.
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
+#include <vector>
 
 #include "column_hit.hpp"
 #include "ground_track.hpp"
 #include "ltp/sensing/height_surface.hpp"
 
 namespace ltp {
+namespace {
 
 using sensing::GroundTrack;
+using sensing::kTopFace;
 using sensing::TrackAxis;
+using sensing::TrackStart;
 
-void HeightSurface::cast_fan(const Point& origin, const Eigen::Vector2d& heading,
-                             const BeamFan& fan, double max_range, std::int64_t first_ray,
-                             RayHits& hits) const {
-  const GroundTrack track(heights_, origin, heading.x(), heading.y());
-  if (fan.size() == 0 || !track.crosses()) return;
-
-  // The walk goes slab by slab along the axis that the track crosses faster; within a slab it
-  // passes one cell or two (three where rounding splits a corner).
-  const bool along_x = std::abs(heading.x()) >= std::abs(heading.y());
-  const TrackAxis along = along_x ? track.x : track.y;
-  const TrackAxis across = along_x ? track.y : track.x;
-  const std::ptrdiff_t ny = heights_.ny();
-  const std::ptrdiff_t along_stride = along_x ? ny : 1;
-  const std::ptrdiff_t across_stride = along_x ? 1 : ny;
-
-  // Every beam below this one is settled: it has hit something, or can no longer.
-  int lowest = -1;
-  double slope = 0.0;
-  double reach = 0.0;
-  const double base = origin.z();
-  const double headroom = values(top())[0] - base;  // to the highest top
-  const auto next_beam = [&] {
-    if (++lowest == fan.size()) return false;
-    slope = fan[lowest].slope;
-    reach = max_range * fan[lowest].cosine;
-    if (slope > 0.0) reach = std::min(reach, headroom * fan[lowest].run * (1.0 + 1e-12));
-    if (slope >= 0.0 && headroom <= 0.0) reach = 0.0;
-    return true;
-  };
-  /// Settles the beams that a cell blocks; whether any are left.
-  const auto sweep = [&](int a, int b, double t_in, double t_out, int face) {
-    const int i = along_x ? a : b;
-    const int j = along_x ? b : a;
-    const double height = values(0)[i * ny + j];
-    while (base + (slope < 0.0 ? t_out : t_in) * slope < height) {
-      const BeamFan::Beam& beam = fan[lowest];
-      const bool top_hit = base + t_in * slope >= height;
-      const double t = top_hit ? std::min(std::max((height - base) * beam.run, t_in), t_out) : t_in;
-      const double range = t * beam.stretch;
-      if (range < max_range) {
-        hits.add(first_ray + lowest, range, sensing::inside_column(
-            heights_, i, j, height, top_hit ? sensing::kTopFace : face,
-            {origin.x() + t * heading.x(), origin.y() + t * heading.y(), base + t * slope}));
-      }
-      if (!next_beam()) return false;
+/// The beams of one fan that are not settled yet: that have hit nothing so far, but still may.
+class FreeBeams {
+ public:
+  FreeBeams(const Point& origin, const BeamFan& fan, double max_range, double highest)
+      : origin_(origin), fan_(fan), max_range_(max_range) {
+    const double headroom = highest - origin.z();
+    static thread_local std::vector<double> reach;  // reused from scan to scan
+    reach.clear();
+    for (int row = 0; row < fan.size(); ++row) {
+      const BeamFan::Beam& beam = fan[row];
+      double most = max_range * beam.cosine;
+      if (beam.slope > 0.0) most = std::min(most, headroom * beam.run * (1.0 + 1e-12));
+      reach.push_back(beam.slope >= 0.0 && headroom <= 0.0 ? 0.0 : most);
     }
+    reach_ = reach.data();
+  }
+
+  /// The next fan, whose lowest beam has this number.
+  void begin(const Eigen::Vector2d& heading, std::int64_t first_ray) {
+    heading_ = heading;
+    first_ray_ = first_ray;
+    lowest_ = 0;
+    lowest_slope_ = fan_[0].slope;
+  }
+
+  /// Whether the lowest is anywhere below a height while the track runs from `t_in` to `t_out` [m].
+  bool below(double height, double t_in, double t_out) const {
+    return origin_.z() + (lowest_slope_ < 0.0 ? t_out : t_in) * lowest_slope_ < height;
+  }
+
+  /// Settles those that end before `t` [m along the ground]; whether any are left.
+  bool end_at(double t) {
+    if (t < reach_[lowest_]) return true;
+    while (++lowest_ < fan_.size() && t >= reach_[lowest_]) continue;
+    return look_up();
+  }
+
+  /// Settles those that hit a column, by a wall on entering it or by its top; whether any are left.
+  bool hit(const sensing::ColumnInside& column, double height, double t_in, double t_out, int face,
+           RayHits& hits) {
+    const double base = origin_.z();
+    int end = lowest_;
+    while (end < fan_.size() && base + t_in * fan_[end].slope < height) ++end;
+    if (end > lowest_) {
+      // These end at one place, one above the other.
+      const double x = column.x(face, origin_.x() + t_in * heading_.x());
+      const double y = column.y(face, origin_.y() + t_in * heading_.y());
+      // The outer ones are the longest.
+      if (t_in * std::max(fan_[lowest_].stretch, fan_[end - 1].stretch) < max_range_) {
+        const RayHits::Slots slots = hits.extend(end - lowest_);
+        for (int n = 0; n < end - lowest_; ++n) {
+          const BeamFan::Beam& beam = fan_[lowest_ + n];
+          slots.rays[n] = static_cast<std::int32_t>(first_ray_ + lowest_ + n);
+          slots.ranges[n] = t_in * beam.stretch;
+          slots.inside[n] = {x, y, column.z(face, base + t_in * beam.slope)};
+        }
+      } else {
+        for (int row = lowest_; row < end; ++row) {
+          const BeamFan::Beam& beam = fan_[row];
+          add(row, t_in * beam.stretch, {x, y, column.z(face, base + t_in * beam.slope)}, hits);
+        }
+      }
+      lowest_ = end;
+    }
+    for (; lowest_ < fan_.size(); ++lowest_) {
+      const BeamFan::Beam& beam = fan_[lowest_];
+      if (!(beam.slope < 0.0 && base + t_out * beam.slope < height)) break;
+      const double t = std::min(std::max((height - base) * beam.run, t_in), t_out);
+      add(lowest_, t * beam.stretch,
+          column(kTopFace, {origin_.x() + t * heading_.x(), origin_.y() + t * heading_.y(),
+                            base + t * beam.slope}),
+          hits);
+    }
+    return look_up();
+  }
+
+ private:
+  bool look_up() {
+    if (lowest_ == fan_.size()) return false;
+    lowest_slope_ = fan_[lowest_].slope;
     return true;
+  }
+  void add(int row, double range, const Point& inside, RayHits& hits) const {
+    if (range < max_range_) hits.add(first_ray_ + row, range, inside);
+  }
+
+  const Point& origin_;
+  const BeamFan& fan_;
+  double max_range_;
+  const double* reach_;  ///< how far each beam can hit anything [m along the ground]
+  Eigen::Vector2d heading_;
+  std::int64_t first_ray_ = 0;
+  int lowest_ = 0;
+  double lowest_slope_ = 0.0;
+};
+
+/// Walks a track slab by slab along the axis that it crosses faster; within a slab it passes one
+/// cell or two (three where rounding splits a corner).
+void sweep(const Raster& heights, const GroundTrack& track, bool along_x, FreeBeams& beams,
+           RayHits& hits) {
+  const TrackAxis& along = along_x ? track.x : track.y;
+  const TrackAxis& across = along_x ? track.y : track.x;
+  const double* values = heights.values().data();
+  const std::ptrdiff_t along_stride = along_x ? heights.ny() : 1;
+  const std::ptrdiff_t across_stride = along_x ? 1 : heights.ny();
+
+  /// Whether any beams are left after a cell.
+  const auto pass = [&](int a, int b, double t_in, double t_out, int face) {
+    const double height = values[a * along_stride + b * across_stride];
+    if (!beams.below(height, t_in, t_out)) return true;
+    const sensing::ColumnInside column(heights, along_x ? a : b, along_x ? b : a, height);
+    return beams.hit(column, height, t_in, t_out, face, hits);
   };
-  next_beam();
 
   int a = along.cell_after(track.enter);
   int b = across.cell_after(track.enter);
@@ -71,23 +139,38 @@ void HeightSurface::cast_fan(const Point& origin, const Eigen::Vector2d& heading
   for (;; a += along.step, face = along_x ? 0 : 1) {
     const double t_out = std::min(along.time(along.step > 0 ? a + 1 : a), track.leave);
     const int b_out = across.cell_after(t_out);
-    const double* slab = values(0) + a * along_stride;
+    const double* slab = values + a * along_stride;
     const double higher = std::max(slab[b * across_stride], slab[b_out * across_stride]);
-    if (base + (slope < 0.0 ? t_out : t_in) * slope < higher || std::abs(b_out - b) > 1) {
+    if (beams.below(higher, t_in, t_out) || std::abs(b_out - b) > 1) {
       double entered = t_in;
       for (; b != b_out; b += across.step, face = along_x ? 1 : 0) {
         const double left = std::min(across.time(across.step > 0 ? b + 1 : b), t_out);
-        if (entered < left && !sweep(a, b, entered, left, face)) return;
+        if (entered < left && !pass(a, b, entered, left, face)) return;
         entered = std::max(entered, left);
       }
-      if (entered < t_out && !sweep(a, b, entered, t_out, face)) return;
+      if (entered < t_out && !pass(a, b, entered, t_out, face)) return;
     }
     b = b_out;
-    while (t_out >= reach) {
-      if (!next_beam()) return;
-    }
-    if (t_out >= track.leave) return;
+    if (!beams.end_at(t_out) || t_out >= track.leave) return;
     t_in = t_out;
+  }
+}
+
+}  // namespace
+
+void HeightSurface::cast_fans(const Point& origin, const std::vector<Eigen::Vector2d>& headings,
+                              const BeamFan& fan, double max_range, RayHits& hits) const {
+  if (fan.size() == 0) return;
+  FreeBeams beams(origin, fan, max_range, values(top())[0]);
+  const TrackStart start_x(heights_, origin, 0);
+  const TrackStart start_y(heights_, origin, 1);
+  std::int64_t ray = 0;
+  for (const Eigen::Vector2d& heading : headings) {
+    beams.begin(heading, ray);
+    const GroundTrack track(TrackAxis(start_x, heading.x()), TrackAxis(start_y, heading.y()));
+    const bool along_x = std::abs(heading.x()) >= std::abs(heading.y());
+    if (track.crosses()) sweep(heights_, track, along_x, beams, hits);
+    ray += fan.size();
   }
 }
 

@@ -36,9 +36,8 @@ RayHit HeightSurface::column_hit(const Point& origin, const Point& direction, do
   RayHit hit;
   hit.range = top_hit ? std::clamp((height - origin.z()) / direction.z(), at.t, t_out) : at.t;
   if (!(hit.range < max_range)) return RayHit();
-  hit.inside =
-      sensing::inside_column(heights_, at.i, at.j, height, top_hit ? sensing::kTopFace : at.face,
-                             origin + hit.range * direction);
+  hit.inside = sensing::ColumnInside(heights_, at.i, at.j, height)(
+      top_hit ? sensing::kTopFace : at.face, origin + hit.range * direction);
   return hit;
 }
 

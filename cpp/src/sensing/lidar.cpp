@@ -160,7 +160,8 @@ Lidar::Lidar(const LidarOptions& options)
 
 void Lidar::scan(const Surface& surface, const Pose& pose, std::uint64_t sequence, Scan& out,
                  Misses misses) const {
-  static thread_local RayHits hits;  // reused from scan to scan
+  static thread_local RayHits hits;  // both reused from scan to scan
+  static thread_local std::vector<Eigen::Vector2d> turned_headings;
   Sorter sorter(options_, directions_, pose, misses, out);
   const Eigen::Matrix3d& turn = sorter.turn();
   const bool noisy = options_.range_noise_sd > 0.0 || options_.drop_out > 0.0;
@@ -169,12 +170,11 @@ void Lidar::scan(const Surface& surface, const Pose& pose, std::uint64_t sequenc
 
   const bool level = (turn.col(2) - Point::UnitZ()).norm() <= kLevel;
   if (level) {
-    std::int64_t ray = 0;
-    for (const Eigen::Vector2d& forward : headings_) {
-      const Eigen::Vector2d heading = (turn.topLeftCorner<2, 2>() * forward).normalized();
-      surface.cast_fan(pose.position, heading, fan_, options_.max_range, ray, hits);
-      ray += fan_.size();
+    turned_headings.clear();
+    for (const Eigen::Vector2d& heading : headings_) {
+      turned_headings.push_back((turn.topLeftCorner<2, 2>() * heading).normalized());
     }
+    surface.cast_fans(pose.position, turned_headings, fan_, options_.max_range, hits);
   } else {
     surface.cast_bundle(pose.position, turn, directions_, options_.max_range, hits);
   }

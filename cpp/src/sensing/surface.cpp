@@ -37,13 +37,16 @@ void RayHits::swap_inside(std::vector<Point>& points) {
   size_ = 0;
 }
 
-void Surface::cast_fan(const Point& origin, const Eigen::Vector2d& heading, const BeamFan& fan,
-                       double max_range, std::int64_t first_ray, RayHits& hits) const {
-  for (int row = 0; row < fan.size(); ++row) {
-    const BeamFan::Beam& beam = fan[row];
-    const Point direction(beam.cosine * heading.x(), beam.cosine * heading.y(), beam.sine);
-    const RayHit hit = cast(origin, direction, max_range);
-    if (hit.hit()) hits.add(first_ray + row, hit.range, hit.inside);
+void Surface::cast_fans(const Point& origin, const std::vector<Eigen::Vector2d>& headings,
+                        const BeamFan& fan, double max_range, RayHits& hits) const {
+  std::int64_t ray = 0;
+  for (const Eigen::Vector2d& heading : headings) {
+    for (int row = 0; row < fan.size(); ++row, ++ray) {
+      const BeamFan::Beam& beam = fan[row];
+      const Point direction(beam.cosine * heading.x(), beam.cosine * heading.y(), beam.sine);
+      const RayHit hit = cast(origin, direction, max_range);
+      if (hit.hit()) hits.add(ray, hit.range, hit.inside);
+    }
   }
 }
 

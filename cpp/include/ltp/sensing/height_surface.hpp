@@ -27,10 +27,11 @@ class HeightSurface final : public Surface {
   const Raster& heights() const { return heights_; }
 
   RayHit cast(const Point& origin, const Point& direction, double max_range) const override;
-  /// All beams share a ground track, so one that is blocked blocks every lower one: a single walk
-  /// over the cells moves the lowest free beam up. Cells plus beams, not cells times beams.
-  void cast_fan(const Point& origin, const Eigen::Vector2d& heading, const BeamFan& fan,
-                double max_range, std::int64_t first_ray, RayHits& hits) const override;
+  /// All beams of a fan share a ground track, so one that is blocked blocks every lower one: a
+  /// single walk over the cells moves the lowest free beam up. Cells plus beams, not cells times
+  /// beams.
+  void cast_fans(const Point& origin, const std::vector<Eigen::Vector2d>& headings,
+                 const BeamFan& fan, double max_range, RayHits& hits) const override;
   /// Rays that look the same way meet the same columns: where a ray can hit first is looked up in
   /// a picture of the surroundings, and only there it is walked, cell by cell.
   void cast_bundle(const Point& origin, const Eigen::Matrix3d& turn, const PathRef& directions,

@@ -37,6 +37,18 @@ class RayHits {
     inside_[size_++] = inside;
   }
 
+  /// Memory for more hits, to be written at once.
+  struct Slots {
+    std::int32_t* rays;
+    double* ranges;
+    Point* inside;
+  };
+  Slots extend(std::int64_t count) {
+    const std::int64_t first = size_;
+    size_ += count;
+    return {rays_.data() + first, ranges_.data() + first, inside_.data() + first};
+  }
+
   std::int64_t size() const { return size_; }
   std::int32_t ray(std::int64_t hit) const { return rays_[hit]; }  ///< its number
   double range(std::int64_t hit) const { return ranges_[hit]; }    ///< as in `RayHit` [m]
@@ -88,13 +100,13 @@ class Surface {
   /// `max_range` [m]. All finite; not checked.
   virtual RayHit cast(const Point& origin, const Point& direction, double max_range) const = 0;
 
-  /// All beams of one azimuth at once: directions (cosine * heading, sine).
-  /// @param heading    unit vector in the plane (x, y)
-  /// @param first_ray  number of the lowest beam
-  /// @param hits       the fan's are added
-  /// The default casts one by one; a height surface sweeps the horizon once.
-  virtual void cast_fan(const Point& origin, const Eigen::Vector2d& heading, const BeamFan& fan,
-                        double max_range, std::int64_t first_ray, RayHits& hits) const;
+  /// Fans from one origin, one after the other, all beams of a fan at once: directions (cosine *
+  /// heading, sine), numbered from 0.
+  /// @param headings  unit vectors in the plane (x, y)
+  /// @param hits      the fans' are added
+  /// The default casts one by one; a height surface sweeps the horizon once a fan.
+  virtual void cast_fans(const Point& origin, const std::vector<Eigen::Vector2d>& headings,
+                         const BeamFan& fan, double max_range, RayHits& hits) const;
 
   /// All rays of one origin at once, numbered from 0: what `cast` says of each, to the last bit.
   /// @param turn        a rotation, applied to each direction by `turned`
