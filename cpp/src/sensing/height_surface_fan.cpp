@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "column_hit.hpp"
@@ -118,41 +119,41 @@ class FreeBeams {
 /// cell or two (three where rounding splits a corner).
 void sweep(const Raster& heights, const GroundTrack& track, bool along_x, FreeBeams& beams,
            RayHits& hits) {
-  const TrackAxis& along = along_x ? track.x : track.y;
-  const TrackAxis& across = along_x ? track.y : track.x;
-  const double* values = heights.values().data();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const TrackAxis along = along_x ? track.x : track.y;
+  const TrackAxis across = along_x ? track.y : track.x;
   const std::ptrdiff_t along_stride = along_x ? heights.ny() : 1;
   const std::ptrdiff_t across_stride = along_x ? 1 : heights.ny();
-
-  /// Whether any beams are left after a cell.
-  const auto pass = [&](int a, int b, double t_in, double t_out, int face) {
-    const double height = values[a * along_stride + b * across_stride];
-    if (!beams.below(height, t_in, t_out)) return true;
-    const sensing::ColumnInside column(heights, along_x ? a : b, along_x ? b : a, height);
-    return beams.hit(column, height, t_in, t_out, face, hits);
-  };
+  const int last = across.step > 0 ? across.cells - 1 : 0;
 
   int a = along.cell_after(track.enter);
   int b = across.cell_after(track.enter);
   int face = track.axis;
   double t_in = track.enter;
-  for (;; a += along.step, face = along_x ? 0 : 1) {
-    const double t_out = std::min(along.time(along.step > 0 ? a + 1 : a), track.leave);
-    const int b_out = across.cell_after(t_out);
-    const double* slab = values + a * along_stride;
-    const double higher = std::max(slab[b * across_stride], slab[b_out * across_stride]);
-    if (beams.below(higher, t_in, t_out) || std::abs(b_out - b) > 1) {
-      double entered = t_in;
-      for (; b != b_out; b += across.step, face = along_x ? 1 : 0) {
-        const double left = std::min(across.time(across.step > 0 ? b + 1 : b), t_out);
-        if (entered < left && !pass(a, b, entered, left, face)) return;
-        entered = std::max(entered, left);
-      }
-      if (entered < t_out && !pass(a, b, entered, t_out, face)) return;
+  double t_across = b == last ? kInfinity : across.leave(b);
+  const double* cell = heights.values().data() + a * along_stride + b * across_stride;
+  /// Whether any beams are left after the cell.
+  const auto pass = [&](double t_out) {
+    const double height = *cell;
+    if (!(t_in < t_out) || !beams.below(height, t_in, t_out)) return true;
+    const sensing::ColumnInside column(heights, along_x ? a : b, along_x ? b : a, height);
+    return beams.hit(column, height, t_in, t_out, face, hits);
+  };
+  while (true) {
+    const double t_out = std::min(along.leave(a), track.leave);
+    while (t_across <= t_out) {
+      if (!pass(t_across)) return;
+      t_in = std::max(t_in, t_across);
+      b += across.step;
+      cell += across.step * across_stride;
+      face = along_x ? 1 : 0;
+      t_across = b == last ? kInfinity : across.leave(b);
     }
-    b = b_out;
-    if (!beams.end_at(t_out) || t_out >= track.leave) return;
+    if (!pass(t_out) || !beams.end_at(t_out) || t_out >= track.leave) return;
     t_in = t_out;
+    a += along.step;
+    cell += along.step * along_stride;
+    face = along_x ? 0 : 1;
   }
 }
 

@@ -183,14 +183,18 @@ void Lidar::scan(const Surface& surface, const Pose& pose, std::uint64_t sequenc
     out.hits.clear();
     out.hits.reserve(directions_.rows());
   }
-  std::int64_t next = 0;
-  for (std::int64_t n = 0; n < hits.size(); ++n) {
-    const std::int32_t ray = hits.ray(n);
-    sorter.miss(next, ray);
-    if (noisy) sorter.add_noisy(ray, hits.range(n), hits.inside(n), sequence);
-    next = ray + 1;
+  if (noisy || misses == Misses::Listed) {
+    std::int64_t next = 0;
+    for (std::int64_t n = 0; n < hits.size(); ++n) {
+      const std::int32_t ray = hits.ray(n);
+      sorter.miss(next, ray);
+      if (noisy) sorter.add_noisy(ray, hits.range(n), hits.inside(n), sequence);
+      next = ray + 1;
+    }
+    sorter.miss(next, directions_.rows());
+  } else {
+    sorter.miss(hits.size(), directions_.rows());  // whichever they are
   }
-  sorter.miss(next, directions_.rows());
   if (!noisy) hits.swap_inside(out.hits);
   sorter.finish();
 }
