@@ -79,9 +79,13 @@ struct TrackAxis {
   double leave(int cell) const {
     return step == 0 ? std::numeric_limits<double>::infinity() : time(step > 0 ? cell + 1 : cell);
   }
+  /// When it enters a cell by a boundary of this axis; only if it is not parallel.
+  double enter(int cell) const { return time(step > 0 ? cell : cell + 1); }
+  /// How many cells there are from the one where it is just after time `t`.
+  int slabs_from(double t) const { return step > 0 ? cells - cell_after(t) : cell_after(t) + 1; }
   /// Whether it enters a cell at time `t`, by a boundary of this axis.
   bool enters(int cell, double t) const {
-    return step != 0 && time(step > 0 ? cell : cell + 1) == t;
+    return step != 0 && enter(cell) == t;
   }
 
   double start;          ///< [cells]

@@ -21,7 +21,7 @@ int columns_for(Eigen::Index rays) { return rays < 16384 ? 32 : 64; }
 
 void HeightSurface::cast_bundle(const Point& origin, const Eigen::Matrix3d& turn,
                                 const PathRef& directions, double max_range, RayHits& hits) const {
-  if (directions.rows() < kFewest || !Panorama::can_look_from(heights_, origin)) {
+  if (directions.rows() < kFewest || !sensing::Horizon::can_look_from(heights_, origin)) {
     return Surface::cast_bundle(origin, turn, directions, max_range, hits);
   }
   static thread_local Panorama panorama;  // all reused from bundle to bundle

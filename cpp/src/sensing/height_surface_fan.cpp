@@ -9,15 +9,20 @@
 
 #include "column_hit.hpp"
 #include "ground_track.hpp"
+#include "horizon.hpp"
 #include "ltp/sensing/height_surface.hpp"
 
 namespace ltp {
 namespace {
 
 using sensing::GroundTrack;
+using sensing::Horizon;
 using sensing::kTopFace;
 using sensing::TrackAxis;
 using sensing::TrackStart;
+
+/// Columns of each side, for so many fans; measured.
+int columns_for(std::size_t fans) { return fans < 512 ? 8 : 16; }
 
 /// The beams of one fan that are not settled yet: that have hit nothing so far, but still may.
 class FreeBeams {
@@ -44,6 +49,7 @@ class FreeBeams {
     lowest_slope_ = fan_[0].slope;
   }
 
+  double lowest_slope() const { return lowest_slope_; }
   /// Whether the lowest is anywhere below a height while the track runs from `t_in` to `t_out` [m].
   bool below(double height, double t_in, double t_out) const {
     return origin_.z() + (lowest_slope_ < 0.0 ? t_out : t_in) * lowest_slope_ < height;
@@ -117,30 +123,40 @@ class FreeBeams {
 
 /// Walks a track slab by slab along the axis that it crosses faster; within a slab it passes one
 /// cell or two (three where rounding splits a corner).
-void sweep(const Raster& heights, const GroundTrack& track, bool along_x, FreeBeams& beams,
-           RayHits& hits) {
+/// @param blocked  of each slab, below which slope (of the axis) it can block beams
+void sweep(const Raster& heights, const GroundTrack& track, bool along_x, double stretch,
+           const double* blocked, int slabs, FreeBeams& beams, RayHits& hits) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const TrackAxis along = along_x ? track.x : track.y;
   const TrackAxis across = along_x ? track.y : track.x;
   const std::ptrdiff_t along_stride = along_x ? heights.ny() : 1;
   const std::ptrdiff_t across_stride = along_x ? 1 : heights.ny();
   const int last = across.step > 0 ? across.cells - 1 : 0;
+  const int first = along.cell_after(track.enter);
 
-  int a = along.cell_after(track.enter);
-  int b = across.cell_after(track.enter);
-  int face = track.axis;
-  double t_in = track.enter;
-  double t_across = b == last ? kInfinity : across.leave(b);
-  const double* cell = heights.values().data() + a * along_stride + b * across_stride;
-  /// Whether any beams are left after the cell.
-  const auto pass = [&](double t_out) {
-    const double height = *cell;
-    if (!(t_in < t_out) || !beams.below(height, t_in, t_out)) return true;
-    const sensing::ColumnInside column(heights, along_x ? a : b, along_x ? b : a, height);
-    return beams.hit(column, height, t_in, t_out, face, hits);
-  };
-  while (true) {
+  for (int slab = 0; slab < slabs;) {
+    const int a = first + slab * along.step;
+    double t_in = slab > 0 ? along.enter(a) : track.enter;
+    if (t_in >= track.leave || !beams.end_at(t_in)) return;
+    // The beams above are steeper still.
+    const double slope = beams.lowest_slope() * stretch;
+    if (!(slope < blocked[slab])) {
+      while (++slab < slabs && !(slope < blocked[slab])) continue;
+      continue;
+    }
+
+    int face = slab > 0 ? (along_x ? 0 : 1) : track.axis;
+    int b = across.cell_after(t_in);
+    const double* cell = heights.values().data() + a * along_stride + b * across_stride;
+    /// Whether any beams are left after the cell.
+    const auto pass = [&](double t_out) {
+      const double height = *cell;
+      if (!(t_in < t_out) || !beams.below(height, t_in, t_out)) return true;
+      const sensing::ColumnInside column(heights, along_x ? a : b, along_x ? b : a, height);
+      return beams.hit(column, height, t_in, t_out, face, hits);
+    };
     const double t_out = std::min(along.leave(a), track.leave);
+    double t_across = b == last ? kInfinity : across.leave(b);
     while (t_across <= t_out) {
       if (!pass(t_across)) return;
       t_in = std::max(t_in, t_across);
@@ -149,11 +165,8 @@ void sweep(const Raster& heights, const GroundTrack& track, bool along_x, FreeBe
       face = along_x ? 1 : 0;
       t_across = b == last ? kInfinity : across.leave(b);
     }
-    if (!pass(t_out) || !beams.end_at(t_out) || t_out >= track.leave) return;
-    t_in = t_out;
-    a += along.step;
-    cell += along.step * along_stride;
-    face = along_x ? 0 : 1;
+    if (!pass(t_out)) return;
+    ++slab;
   }
 }
 
@@ -162,16 +175,39 @@ void sweep(const Raster& heights, const GroundTrack& track, bool along_x, FreeBe
 void HeightSurface::cast_fans(const Point& origin, const std::vector<Eigen::Vector2d>& headings,
                               const BeamFan& fan, double max_range, RayHits& hits) const {
   if (fan.size() == 0) return;
+  static thread_local Horizon horizon;  // both reused from scan to scan
+  static thread_local std::vector<double> anything;
+  const bool outside = !Horizon::can_look_from(heights_, origin);
+  if (outside) {
+    // No horizon: anything may block.
+    anything.assign(std::max(heights_.nx(), heights_.ny()), std::numeric_limits<double>::infinity());
+  } else {
+    horizon.look(heights_, origin, max_range, columns_for(headings.size()));
+  }
+
   FreeBeams beams(origin, fan, max_range, values(top())[0]);
   const TrackStart start_x(heights_, origin, 0);
   const TrackStart start_y(heights_, origin, 1);
   std::int64_t ray = 0;
   for (const Eigen::Vector2d& heading : headings) {
-    beams.begin(heading, ray);
     const GroundTrack track(TrackAxis(start_x, heading.x()), TrackAxis(start_y, heading.y()));
-    const bool along_x = std::abs(heading.x()) >= std::abs(heading.y());
-    if (track.crosses()) sweep(heights_, track, along_x, beams, hits);
+    beams.begin(heading, ray);
     ray += fan.size();
+    if (!track.crosses()) continue;
+    const bool along_x = std::abs(heading.x()) >= std::abs(heading.y());
+    const double ahead = along_x ? heading.x() : heading.y();
+    const double stretch = 1.0 / std::abs(ahead);
+    if (outside) {
+      const int slabs = along_x ? track.x.slabs_from(track.enter) : track.y.slabs_from(track.enter);
+      sweep(heights_, track, along_x, stretch, anything.data(), slabs, beams, hits);
+    } else {
+      const int side = Horizon::side(along_x, ahead < 0.0);
+      const double aside = (along_x ? heading.y() : heading.x()) * stretch;
+      const int column =
+          std::min(static_cast<int>(0.5 * (aside + 1.0) * horizon.columns()), horizon.columns() - 1);
+      const int slabs = static_cast<int>(horizon.slabs(side).size());
+      sweep(heights_, track, along_x, stretch, horizon.blocked(side, column), slabs, beams, hits);
+    }
   }
 }
 

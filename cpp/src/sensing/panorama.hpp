@@ -9,25 +9,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "ltp/grid/raster.hpp"
+#include "horizon.hpp"
 
 namespace ltp::sensing {
 
-/// A picture of the surroundings on the four sides of an upright box round the point of view, like
-/// the sides of a cube map. A side looks along one axis of the raster, its columns are headings,
-/// its rows slopes. A pixel holds the first slab of cells (counted along the side's axis from the
-/// point of view's) in which any ray through it can be below a top, so that no ray need be walked
-/// before. Made by one sweep of the horizon for each column, over the highest of all cells that its
-/// wedge meets: the slopes that a column blocks only grow.
+/// A picture of the surroundings: each column of a `Horizon`, its rows being slopes. A pixel holds
+/// the first slab in which any ray through it can be below a top, so that no ray need be walked
+/// before. The slopes that a column blocks only grow from slab to slab: one sweep draws it.
 class Panorama {
  public:
   static constexpr std::uint16_t kNothing = 0xffff;
 
-  /// Whether a point lies over the raster, its edges excepted.
-  static bool can_look_from(const Raster& heights, const Point& origin);
-
-  /// @param columns  of each side, even
-  /// Needs `can_look_from`; memory is reused.
+  /// As `Horizon::look`.
   void look(const Raster& heights, const Point& origin, double max_range, int columns);
 
   /// Rays by component, as many as a cache likes, and what was found for them.
@@ -50,25 +43,17 @@ class Panorama {
   static constexpr int kRows = 256;
   static constexpr double kRowsPerSlope = kRows / (2.0 * kSteepest);
 
-  /// The cells between two lines across a side's axis.
-  struct Slab {
-    double begin;      ///< from the point of view [cells]
-    double end;        ///< [cells]
-    double per_begin;  ///< slope to the near line, for each metre of height [1/m]
-    double per_end;    ///< slope to the far line, for each metre of height [1/m]
-  };
+  /// Draws a column.
+  void draw(int side, int column, double square_range, std::uint16_t* pixels) const;
 
-  void look_along(const Raster& heights, const Point& origin, double max_range, int side);
-
-  int columns_ = 0;
-  std::vector<Slab> slabs_;            ///< of the side that is being made
+  Horizon horizon_;
   std::vector<std::uint16_t> pixels_;  ///< by side, column, row
 };
 
 inline int Panorama::glance(Rays& rays, int count) const {
-  const double columns_per_slope = 0.5 * columns_;
-  const double last_column = columns_ - 1.0;
-  const int up = columns_ * kRows;
+  const double columns_per_slope = 0.5 * horizon_.columns();
+  const double last_column = horizon_.columns() - 1.0;
+  const int up = horizon_.columns() * kRows;
   for (int n = 0; n < count; ++n) {
     const double x = std::abs(rays.x[n]);
     const double y = std::abs(rays.y[n]);
