@@ -8,14 +8,25 @@
 #include <vector>
 
 #include "height_scenes.hpp"
+#include "sensing/cell_walk.hpp"
 
 namespace ltp {
 namespace {
 
 using namespace test;  // NOLINT: the scenes
 
+/// Every set of vectors that this machine can use, one after the other.
+std::vector<sensing::Vectors> all_vectors() {
+  std::vector<sensing::Vectors> all;
+  for (const auto vectors :
+       {sensing::Vectors::Baseline, sensing::Vectors::Avx2, sensing::Vectors::Avx512}) {
+    if (sensing::supported(vectors)) all.push_back(vectors);
+  }
+  return all;
+}
+
 /// Compares a bundle with its rays; how many hit.
-int expect_same(const Surface& surface, const Point& from, const Eigen::Matrix3d& turn,
+int expect_same_as_single(const Surface& surface, const Point& from, const Eigen::Matrix3d& turn,
                 const Path& directions, double max_range) {
   RayHits hits;
   hits.reset(directions.rows());
@@ -36,6 +47,19 @@ int expect_same(const Surface& surface, const Point& from, const Eigen::Matrix3d
   }
   EXPECT_EQ(n, hits.size());
   return static_cast<int>(n);
+}
+
+/// With each set of vectors.
+int expect_same(const Surface& surface, const Point& from, const Eigen::Matrix3d& turn,
+                const Path& directions, double max_range) {
+  const sensing::Vectors at_first = sensing::vectors();
+  int hits = 0;
+  for (const sensing::Vectors vectors : all_vectors()) {
+    sensing::use(vectors);
+    hits = expect_same_as_single(surface, from, turn, directions, max_range);
+  }
+  sensing::use(at_first);
+  return hits;
 }
 
 Eigen::Matrix3d random_turn(Random& random) {
@@ -107,6 +131,10 @@ TEST(HeightSurface, ABundleIsItsRaysFarFromTheOriginOfTheWorldAndFarAbove) {
     hits += expect_same(far_surface, from, random_turn(random), directions, n % 2 ? 50 : 1e5);
   }
   EXPECT_GT(hits, 10000);
+}
+
+TEST(HeightSurface, TheWidestVectorsAreUsed) {
+  EXPECT_EQ(sensing::vectors(), all_vectors().back());
 }
 
 TEST(HeightSurface, RaysOfManyOriginsKeepTheirOrder) {

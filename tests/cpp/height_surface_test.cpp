@@ -177,6 +177,49 @@ TEST(HeightSurface, AFanIsItsRaysAlongTheLatticeToo) {
   EXPECT_GT(found, 10000);
 }
 
+TEST(HeightSurface, FansCastTogetherAreFansCastOneByOne) {
+  // Together they look round first, one by one they do not.
+  Random random(15);
+  RayHits together, alone;
+  std::int64_t found = 0, rays = 0;
+  for (int scene = 0; scene < 120; ++scene) {
+    const bool lattice = scene % 4 == 0;
+    const HeightSurface surface(
+        random_city(random, 1 + random() % 90, 1 + random() % 90,
+                    {lattice ? 3 : uniform(random, -9, 9), 3}, scene % 2 == 0 ? 1.0 : 0.7));
+    std::vector<double> elevations(1 + random() % 64);
+    for (double& e : elevations) e = uniform(random, -1.5, 1.5);
+    std::sort(elevations.begin(), elevations.end());
+    const BeamFan fan(elevations);
+    std::vector<Eigen::Vector2d> headings;
+    for (int n = 0; n < (scene % 3 == 0 ? 1024 : 128); ++n) {
+      const double angle = n < 8 ? n * kPi / 4 : uniform(random, -kPi, kPi);
+      headings.emplace_back(std::cos(angle), std::sin(angle));
+    }
+    Point from = random_point(random, surface.heights());
+    if (lattice) from = from.array().round();
+    const double max_range = uniform(random, 1, 80);
+    together.reset(static_cast<std::int64_t>(headings.size()) * fan.size());
+    surface.cast_fans(from, headings, fan, max_range, together);
+    std::int64_t n = 0;
+    for (std::size_t azimuth = 0; azimuth < headings.size(); ++azimuth) {
+      alone.reset(fan.size());
+      surface.cast_fans(from, {headings[azimuth]}, fan, max_range, alone);
+      ASSERT_LE(n + alone.size(), together.size());
+      for (std::int64_t hit = 0; hit < alone.size(); ++hit, ++n) {
+        ASSERT_EQ(together.ray(n), alone.ray(hit) + static_cast<int>(azimuth) * fan.size());
+        ASSERT_EQ(together.range(n), alone.range(hit));
+        ASSERT_EQ(together.inside(n), alone.inside(hit));
+      }
+      rays += fan.size();
+    }
+    ASSERT_EQ(n, together.size());
+    found += n;
+  }
+  EXPECT_GT(found, rays / 10);
+  EXPECT_LT(found, rays - rays / 10);
+}
+
 TEST(HeightSurface, EveryHitFallsIntoACellThatOccupancySets) {
   Random random(4);
   const std::vector<Point> cells = {{2, 2, 4}, {1, 1, 1}, {0.7, 1.3, 0.9}, {5, 3, 0.0005}};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `HeightSurface`: many rays from one point, by a picture of what can be seen from there.
 #include <algorithm>
+#include <cmath>
 
 #include "cell_walk.hpp"
 #include "ltp/sensing/height_surface.hpp"
@@ -10,6 +11,7 @@
 namespace ltp {
 namespace {
 
+using sensing::Horizon;
 using sensing::Panorama;
 
 constexpr Eigen::Index kFewest = 1000;  // rays for which a picture pays
@@ -21,7 +23,10 @@ int columns_for(Eigen::Index rays) { return rays < 16384 ? 32 : 64; }
 
 void HeightSurface::cast_bundle(const Point& origin, const Eigen::Matrix3d& turn,
                                 const PathRef& directions, double max_range, RayHits& hits) const {
-  if (directions.rows() < kFewest || !sensing::Horizon::can_look_from(heights_, origin)) {
+  // A picture's cost goes with the cells in range, its gain with the rays.
+  const double most_slabs = 4.0 * std::sqrt(static_cast<double>(directions.rows()));
+  if (directions.rows() < kFewest ||
+      !Horizon::can_look(heights_, origin, max_range, std::min(most_slabs, Panorama::kMostSlabs))) {
     return Surface::cast_bundle(origin, turn, directions, max_range, hits);
   }
   static thread_local Panorama panorama;  // all reused from bundle to bundle

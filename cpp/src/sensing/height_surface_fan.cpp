@@ -177,12 +177,13 @@ void HeightSurface::cast_fans(const Point& origin, const std::vector<Eigen::Vect
   if (fan.size() == 0) return;
   static thread_local Horizon horizon;  // both reused from scan to scan
   static thread_local std::vector<double> anything;
-  const bool outside = !Horizon::can_look_from(heights_, origin);
-  if (outside) {
-    // No horizon: anything may block.
-    anything.assign(std::max(heights_.nx(), heights_.ny()), std::numeric_limits<double>::infinity());
-  } else {
+  // A horizon's cost goes with the square of the slabs, that of walking them all with the fans.
+  const bool seen =
+      Horizon::can_look(heights_, origin, max_range, static_cast<double>(headings.size()));
+  if (seen) {
     horizon.look(heights_, origin, max_range, columns_for(headings.size()));
+  } else {
+    anything.assign(std::max(heights_.nx(), heights_.ny()), std::numeric_limits<double>::infinity());
   }
 
   FreeBeams beams(origin, fan, max_range, values(top())[0]);
@@ -197,16 +198,16 @@ void HeightSurface::cast_fans(const Point& origin, const std::vector<Eigen::Vect
     const bool along_x = std::abs(heading.x()) >= std::abs(heading.y());
     const double ahead = along_x ? heading.x() : heading.y();
     const double stretch = 1.0 / std::abs(ahead);
-    if (outside) {
-      const int slabs = along_x ? track.x.slabs_from(track.enter) : track.y.slabs_from(track.enter);
-      sweep(heights_, track, along_x, stretch, anything.data(), slabs, beams, hits);
-    } else {
+    if (seen) {
       const int side = Horizon::side(along_x, ahead < 0.0);
       const double aside = (along_x ? heading.y() : heading.x()) * stretch;
-      const int column =
-          std::min(static_cast<int>(0.5 * (aside + 1.0) * horizon.columns()), horizon.columns() - 1);
+      const int column = std::min(static_cast<int>(0.5 * (aside + 1.0) * horizon.columns()),
+                                  horizon.columns() - 1);
       const int slabs = static_cast<int>(horizon.slabs(side).size());
       sweep(heights_, track, along_x, stretch, horizon.blocked(side, column), slabs, beams, hits);
+    } else {
+      const int slabs = (along_x ? track.x : track.y).slabs_from(track.enter);
+      sweep(heights_, track, along_x, stretch, anything.data(), slabs, beams, hits);
     }
   }
 }

@@ -11,8 +11,6 @@
 namespace ltp::sensing {
 namespace {
 
-constexpr double kMostSlabs = 65000.0;
-
 // Rays are computed with rounding, and so is the horizon. These margins are far above both, and far
 // below what would make many a ray look for its hit in vain.
 constexpr double kAside = 1e-6;     // by which a wedge is wider [cells]
@@ -21,10 +19,13 @@ constexpr double kRelative = 1e-9;  // and by which they are for their size
 
 }  // namespace
 
-bool Horizon::can_look_from(const Raster& heights, const Point& origin) {
+bool Horizon::can_look(const Raster& heights, const Point& origin, double max_range,
+                       double most_slabs) {
   const double x = start_over(heights, origin, 0);
   const double y = start_over(heights, origin, 1);
-  return x > 0.0 && x < heights.nx() && y > 0.0 && y < heights.ny();
+  const double in_range = std::min<double>(max_range / heights.cell(),
+                                           std::max(heights.nx(), heights.ny()));
+  return in_range <= most_slabs && x > 0.0 && x < heights.nx() && y > 0.0 && y < heights.ny();
 }
 
 void Horizon::look(const Raster& heights, const Point& origin, double max_range, int columns) {
@@ -48,7 +49,7 @@ void Horizon::look_along(const Raster& heights, const Point& origin, double max_
   const double entered = step > 0 ? first - ahead.start : ahead.start - (first + 1);  // <= 0
   std::vector<Slab>& slabs = slabs_[side];
   slabs.clear();
-  for (int n = 0; n < std::min({to_edge, in_range, kMostSlabs}); ++n) {
+  for (int n = 0; n < std::min(to_edge, in_range); ++n) {
     const double begin = std::max(entered + n, 0.0);
     const double end = entered + n + 1;
     slabs.push_back({begin, end, 1.0 / (begin * cell), 1.0 / (end * cell)});

@@ -25,11 +25,13 @@ class Horizon {
     double per_end;    ///< slope to the far line, for each metre of height [1/m]
   };
 
-  /// Whether a point lies over the raster, its edges excepted.
-  static bool can_look_from(const Raster& heights, const Point& origin);
+  /// Whether a point lies over the raster, its edges excepted, and no more than so many slabs are
+  /// in range: all cells within are read, which only pays for as many rays.
+  static bool can_look(const Raster& heights, const Point& origin, double max_range,
+                       double most_slabs);
 
   /// @param columns  of each side, even
-  /// Needs `can_look_from`; memory is reused.
+  /// Needs `can_look`; memory is reused.
   void look(const Raster& heights, const Point& origin, double max_range, int columns);
 
   /// The side that a ray goes through: 0, 1: up, down the x axis, 2, 3: the y axis.

@@ -19,6 +19,7 @@ namespace ltp::sensing {
 class Panorama {
  public:
   static constexpr std::uint16_t kNothing = 0xffff;
+  static constexpr double kMostSlabs = 65000.0;  ///< that a pixel can tell apart
 
   /// As `Horizon::look`.
   void look(const Raster& heights, const Point& origin, double max_range, int columns);
