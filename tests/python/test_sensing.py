@@ -63,7 +63,7 @@ def test_a_ray_hits_the_wall_in_front() -> None:
 def test_rays_cast_together_are_rays_cast_one_by_one() -> None:
     rng = np.random.default_rng(3)
     surface = random_city(3)
-    origins = np.repeat(rng.uniform([4, 10, 5], [24, 22, 15], (3, 3)), (1500, 2, 1), axis=0)
+    origins = np.repeat(rng.uniform([8, 14, 26], [18, 20, 28], (3, 3)), (1500, 2, 1), axis=0)
     directions = rng.normal(size=origins.shape)
     directions /= np.linalg.norm(directions, axis=1)[:, None]
     ranges = surface.cast_rays(origins, directions, 30.0)
@@ -71,7 +71,7 @@ def test_rays_cast_together_are_rays_cast_one_by_one() -> None:
         surface.cast(o, d, 30.0).range for o, d in zip(origins, directions, strict=True)
     ]
     np.testing.assert_array_equal(ranges, expected)
-    assert 300 < np.isfinite(ranges).sum() < 1400
+    assert 200 < np.isfinite(ranges).sum() < 1300
     assert surface.cast_rays(np.zeros((0, 3)), np.zeros((0, 3)), 30.0).shape == (0,)
 
 
