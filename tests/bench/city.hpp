@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ltp authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The city that the LiDAR benchmarks scan: 1 km x 1 km of boxes, a flight through it, a 64-row LiDAR.
+// The city that the LiDAR benchmarks scan: 1 km x 1 km of boxes, a flight through it, a 64-row
+// LiDAR.
 #pragma once
 
 #include <algorithm>

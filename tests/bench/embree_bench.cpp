@@ -140,7 +140,8 @@ std::int64_t differences(const HeightSurface& surface, const Lidar& lidar, const
   std::int64_t count = 0;
   for (std::size_t n = 0; n < ranges.size(); ++n) {
     const Point direction = pose.world_from_body * Point(lidar.directions().row(n).transpose());
-    const double ours = std::min(surface.cast(pose.position, direction, max_range).range, max_range);
+    const double ours =
+        std::min(surface.cast(pose.position, direction, max_range).range, max_range);
     const double theirs = std::min(double(ranges[n]), max_range);
     count += !(std::abs(ours - theirs) < kClose);
   }
@@ -173,8 +174,8 @@ void scan(benchmark::State& state, Mesh kind, bool tilted) {
       benchmark::DoNotOptimize(ranges.data());
     }
   }
-  state.counters["rays_per_second"] =
-      benchmark::Counter(rays * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["rays_per_second"] = benchmark::Counter(
+      rays * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
   state.counters["differ"] = static_cast<double>(differ);
 }
 BENCHMARK_CAPTURE(scan, level_box, Mesh::kBoxes, false)

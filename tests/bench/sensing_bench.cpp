@@ -14,8 +14,7 @@ using Counter = benchmark::Counter;
 
 void count_rays(benchmark::State& state, std::size_t scans) {
   const double rays = static_cast<double>(scans) * static_cast<double>(city_lidar().pattern.size());
-  state.counters["rays_per_second"] =
-      Counter(rays, Counter::kIsIterationInvariantRate);
+  state.counters["rays_per_second"] = Counter(rays, Counter::kIsIterationInvariantRate);
 }
 
 void scan(benchmark::State& state, bool tilted, Misses misses) {
@@ -48,8 +47,9 @@ BENCHMARK_CAPTURE(scan, tilted_misses, true, Misses::Listed)
     ->Name("lidar/tilted/ltp_misses")
     ->Unit(benchmark::kMillisecond);
 
-/// The floor of anything that walks: to read, once, the height of each cell that a scan's rays cross
-/// before they end; for a level scan each cell once an azimuth, since its beams share the track.
+/// The floor of anything that walks: to read, once, the height of each cell that a scan's rays
+/// cross before they end; for a level scan each cell once an azimuth, since its beams share the
+/// track.
 void floor(benchmark::State& state, bool tilted) {
   const City city;
   const HeightSurface surface(city.heights());
@@ -90,12 +90,8 @@ void floor(benchmark::State& state, bool tilted) {
   const auto distinct = std::unique(walked.begin(), walked.end()) - walked.begin();
   state.counters["bytes"] = static_cast<double>(distinct) * sizeof(double);
 }
-BENCHMARK_CAPTURE(floor, level, false)
-    ->Name("lidar/level/floor")
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(floor, tilted, true)
-    ->Name("lidar/tilted/floor")
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(floor, level, false)->Name("lidar/level/floor")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(floor, tilted, true)->Name("lidar/tilted/floor")->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace ltp::bench

@@ -27,7 +27,7 @@ std::vector<sensing::Vectors> all_vectors() {
 
 /// Compares a bundle with its rays; how many hit.
 int expect_same_as_single(const Surface& surface, const Point& from, const Eigen::Matrix3d& turn,
-                const Path& directions, double max_range) {
+                          const Path& directions, double max_range) {
   RayHits hits;
   hits.reset(directions.rows());
   surface.cast_bundle(from, turn, directions, max_range, hits);
@@ -63,8 +63,7 @@ int expect_same(const Surface& surface, const Point& from, const Eigen::Matrix3d
 }
 
 Eigen::Matrix3d random_turn(Random& random) {
-  return Eigen::AngleAxisd(uniform(random, -kPi, kPi), random_direction(random))
-      .toRotationMatrix();
+  return Eigen::AngleAxisd(uniform(random, -kPi, kPi), random_direction(random)).toRotationMatrix();
 }
 
 TEST(HeightSurface, ABundleIsItsRays) {

@@ -184,9 +184,9 @@ TEST(HeightSurface, FansCastTogetherAreFansCastOneByOne) {
   std::int64_t found = 0, rays = 0;
   for (int scene = 0; scene < 120; ++scene) {
     const bool lattice = scene % 4 == 0;
-    const HeightSurface surface(
-        random_city(random, 1 + random() % 90, 1 + random() % 90,
-                    {lattice ? 3 : uniform(random, -9, 9), 3}, scene % 2 == 0 ? 1.0 : 0.7));
+    const HeightSurface surface(random_city(random, 1 + random() % 90, 1 + random() % 90,
+                                            {lattice ? 3 : uniform(random, -9, 9), 3},
+                                            scene % 2 == 0 ? 1.0 : 0.7));
     std::vector<double> elevations(1 + random() % 64);
     for (double& e : elevations) e = uniform(random, -1.5, 1.5);
     std::sort(elevations.begin(), elevations.end());

@@ -67,11 +67,9 @@ def test_rays_cast_together_are_rays_cast_one_by_one() -> None:
     directions = rng.normal(size=origins.shape)
     directions /= np.linalg.norm(directions, axis=1)[:, None]
     ranges = surface.cast_rays(origins, directions, 30.0)
-    expected = [
-        surface.cast(o, d, 30.0).range for o, d in zip(origins, directions, strict=True)
-    ]
+    expected = [surface.cast(o, d, 30.0).range for o, d in zip(origins, directions, strict=True)]
     np.testing.assert_array_equal(ranges, expected)
-    assert 200 < np.isfinite(ranges).sum() < 1300
+    assert 100 < np.isfinite(ranges).sum() < 1300
     assert surface.cast_rays(np.zeros((0, 3)), np.zeros((0, 3)), 30.0).shape == (0,)
 
 

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ltp authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The walk itself, for registers of `kLanes` doubles. Included once for each kind of processor, into
-// a namespace that says how many those are.
+// The walk itself, for registers of `kLanes` doubles. Included once for each kind of processor,
+// into a namespace that says how many those are.
 
-/// A register of doubles and one of flags, 0 or 1: the compiler's vectors, one source for all widths.
-/// A comparison goes straight into a choice, `a < b ? c : d`; on its own GCC 12 takes it to pieces.
+/// A register of doubles and one of flags, 0 or 1: the compiler's vectors, one source for all
+/// widths. A comparison goes straight into a choice, `a < b ? c : d`; on its own GCC 12 takes it to
+/// pieces.
 using Real __attribute__((vector_size(8 * kLanes))) = double;
 using Flag __attribute__((vector_size(8 * kLanes))) = std::int64_t;
 
@@ -81,8 +82,8 @@ LTP_INLINE inline void walk(const BundleStart& from, const Panorama::Rays& rays,
   aside.never = ahead_x >= ahead_y ? y.never : x.never;
   const Real cell_ahead = ahead.first + ahead.step * slab;
   Real t_in = slab > 0.0 ? ahead.enter(cell_ahead) : zero;
-  // `TrackAxis::cell_after`: a guess, rounded by adding and taking away what leaves no fraction; the
-  // crossing times decide.
+  // `TrackAxis::cell_after`: a guess, rounded by adding and taking away what leaves no fraction;
+  // the crossing times decide.
   constexpr double kNoFraction = 0x1.8p52;
   Real cell_aside = (aside.start + t_in * aside.rate - 0.5 + kNoFraction) - kNoFraction;
   cell_aside = aside.leave(cell_aside) <= t_in ? cell_aside + aside.step : cell_aside;
@@ -129,6 +130,7 @@ LTP_INLINE inline void walk(const BundleStart& from, const Panorama::Rays& rays,
     t_in = going == 1 ? t_out : t_in;
     face = going == 1 ? (cross_y == 1 ? one : zero) : face;
     going = over_raster(going);
+    if (kLanes == 1 && going[0] == 0) break;  // of more lanes, one would mostly go on
   }
 
   // `HeightSurface::column_hit` and `inside_column`.
@@ -141,13 +143,13 @@ LTP_INLINE inline void walk(const BundleStart& from, const Panorama::Rays& rays,
   const double depth = std::min(kHitDepth, 0.5 * cell);
   const double margin = std::min(kHitMargin, 0.25 * cell);
   face = top_hit == 1 ? zero + kTopFace : face;
-  const auto within = [&](double raster, const Real& index, const Real& inset,
-                          Real point) LTP_INLINE {
-    const Real low = raster + index * cell + inset;
-    const Real high = raster + index * cell + cell - inset;
-    point = point < low ? low : point;
-    return high < point ? high : point;
-  };
+  const auto within = [&](double raster, const Real& index, const Real& inset, Real point)
+                          LTP_INLINE {
+                            const Real low = raster + index * cell + inset;
+                            const Real high = raster + index * cell + cell - inset;
+                            point = point < low ? low : point;
+                            return high < point ? high : point;
+                          };
   const Real inset_x = face == 0.0 ? zero + depth : zero + margin;
   const Real inset_y = face == 1.0 ? zero + depth : zero + margin;
   const Real x_in = within(from.heights.origin().x(), i, inset_x, from.origin.x() + range * dx);

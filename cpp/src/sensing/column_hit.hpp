@@ -33,7 +33,8 @@ class ColumnInside {
 
  private:
   double within(double low, bool hit, double on_surface) const {
-    const double inset = hit ? std::min(kHitDepth, 0.5 * cell_) : std::min(kHitMargin, 0.25 * cell_);
+    const double inset =
+        hit ? std::min(kHitDepth, 0.5 * cell_) : std::min(kHitMargin, 0.25 * cell_);
     return std::min(std::max(on_surface, low + inset), low + cell_ - inset);
   }
 

@@ -84,9 +84,7 @@ struct TrackAxis {
   /// How many cells there are from the one where it is just after time `t`.
   int slabs_from(double t) const { return step > 0 ? cells - cell_after(t) : cell_after(t) + 1; }
   /// Whether it enters a cell at time `t`, by a boundary of this axis.
-  bool enters(int cell, double t) const {
-    return step != 0 && enter(cell) == t;
-  }
+  bool enters(int cell, double t) const { return step != 0 && enter(cell) == t; }
 
   double start;          ///< [cells]
   double rate = 0.0;     ///< cells per metre of the track
@@ -106,9 +104,8 @@ struct GroundTrack {
   }
 
   GroundTrack(const Raster& raster, const Point& origin, double direction_x, double direction_y)
-      : GroundTrack(
-            TrackAxis(TrackStart(raster, origin, 0), direction_x),
-            TrackAxis(TrackStart(raster, origin, 1), direction_y)) {}
+      : GroundTrack(TrackAxis(TrackStart(raster, origin, 0), direction_x),
+                    TrackAxis(TrackStart(raster, origin, 1), direction_y)) {}
 
   bool crosses() const { return enter < leave; }
 

@@ -17,7 +17,7 @@ using sensing::Panorama;
 constexpr Eigen::Index kFewest = 1000;  // rays for which a picture pays
 
 /// Columns of each side, for so many rays; measured.
-int columns_for(Eigen::Index rays) { return rays < 16384 ? 32 : 64; }
+int columns_for(Eigen::Index rays) { return rays < 16384 ? 32 : Horizon::kMostColumns; }
 
 }  // namespace
 
@@ -29,15 +29,15 @@ void HeightSurface::cast_bundle(const Point& origin, const Eigen::Matrix3d& turn
       !Horizon::can_look(heights_, origin, max_range, std::min(most_slabs, Panorama::kMostSlabs))) {
     return Surface::cast_bundle(origin, turn, directions, max_range, hits);
   }
-  static thread_local Panorama panorama;  // all reused from bundle to bundle
-  static thread_local Panorama::Rays rays;
+  Panorama& panorama = Panorama::of_this_thread();
+  static thread_local Panorama::Rays rays;  // both reused from bundle to bundle
   static thread_local sensing::RayEnds ends;
   const sensing::BundleStart start(heights_, origin, max_range);
   panorama.look(heights_, origin, max_range, columns_for(directions.rows()));
 
   for (Eigen::Index first = 0; first < directions.rows(); first += Panorama::Rays::kMost) {
-    const int count = static_cast<int>(
-        std::min<Eigen::Index>(directions.rows() - first, Panorama::Rays::kMost));
+    const int count =
+        static_cast<int>(std::min<Eigen::Index>(directions.rows() - first, Panorama::Rays::kMost));
     for (int n = 0; n < count; ++n) {
       const Point direction = turned(turn, directions.row(first + n));
       rays.x[n] = direction.x();

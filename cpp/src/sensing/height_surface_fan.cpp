@@ -9,8 +9,8 @@
 
 #include "column_hit.hpp"
 #include "ground_track.hpp"
-#include "horizon.hpp"
 #include "ltp/sensing/height_surface.hpp"
+#include "panorama.hpp"
 
 namespace ltp {
 namespace {
@@ -175,15 +175,16 @@ void sweep(const Raster& heights, const GroundTrack& track, bool along_x, double
 void HeightSurface::cast_fans(const Point& origin, const std::vector<Eigen::Vector2d>& headings,
                               const BeamFan& fan, double max_range, RayHits& hits) const {
   if (fan.size() == 0) return;
-  static thread_local Horizon horizon;  // both reused from scan to scan
-  static thread_local std::vector<double> anything;
+  Horizon& horizon = sensing::Panorama::of_this_thread().horizon();
+  static thread_local std::vector<double> anything;  // reused from scan to scan
   // A horizon's cost goes with the square of the slabs, that of walking them all with the fans.
   const bool seen =
       Horizon::can_look(heights_, origin, max_range, static_cast<double>(headings.size()));
   if (seen) {
     horizon.look(heights_, origin, max_range, columns_for(headings.size()));
   } else {
-    anything.assign(std::max(heights_.nx(), heights_.ny()), std::numeric_limits<double>::infinity());
+    anything.assign(std::max(heights_.nx(), heights_.ny()),
+                    std::numeric_limits<double>::infinity());
   }
 
   FreeBeams beams(origin, fan, max_range, values(top())[0]);

@@ -17,20 +17,28 @@ constexpr double kAside = 1e-6;     // by which a wedge is wider [cells]
 constexpr double kAbove = 1e-6;     // by which all tops are higher [m]
 constexpr double kRelative = 1e-9;  // and by which they are for their size
 
+double slabs_in_range(const Raster& heights, double max_range) {
+  return std::ceil(max_range / heights.cell()) + 1.0;
+}
+
 }  // namespace
 
 bool Horizon::can_look(const Raster& heights, const Point& origin, double max_range,
                        double most_slabs) {
   const double x = start_over(heights, origin, 0);
   const double y = start_over(heights, origin, 1);
-  const double in_range = std::min<double>(max_range / heights.cell(),
-                                           std::max(heights.nx(), heights.ny()));
+  const double in_range =
+      std::min<double>(max_range / heights.cell(), std::max(heights.nx(), heights.ny()));
   return in_range <= most_slabs && x > 0.0 && x < heights.nx() && y > 0.0 && y < heights.ny();
 }
 
 void Horizon::look(const Raster& heights, const Point& origin, double max_range, int columns) {
   columns_ = columns;
+  const double most_slabs = std::min(slabs_in_range(heights, max_range),
+                                     static_cast<double>(std::max(heights.nx(), heights.ny())));
   blocked_.clear();
+  blocked_.reserve(std::size_t{4} * kMostColumns * static_cast<std::size_t>(most_slabs));
+  for (std::vector<Slab>& slabs : slabs_) slabs.reserve(static_cast<std::size_t>(most_slabs));
   for (int side = 0; side < 4; ++side) look_along(heights, origin, max_range, side);
 }
 
@@ -45,7 +53,7 @@ void Horizon::look_along(const Raster& heights, const Point& origin, double max_
 
   const int first = ahead.first_cell(step);
   const double to_edge = step > 0 ? ahead.cells - first : first + 1;
-  const double in_range = std::ceil(max_range / cell) + 1.0;
+  const double in_range = slabs_in_range(heights, max_range);
   const double entered = step > 0 ? first - ahead.start : ahead.start - (first + 1);  // <= 0
   std::vector<Slab>& slabs = slabs_[side];
   slabs.clear();

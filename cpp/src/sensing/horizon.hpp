@@ -30,8 +30,9 @@ class Horizon {
   static bool can_look(const Raster& heights, const Point& origin, double max_range,
                        double most_slabs);
 
-  /// @param columns  of each side, even
-  /// Needs `can_look`; memory is reused.
+  static constexpr int kMostColumns = 64;
+  /// @param columns  of each side, even, at most `kMostColumns`
+  /// Needs `can_look`. Memory is reused; for the same range it suffices whatever is looked at.
   void look(const Raster& heights, const Point& origin, double max_range, int columns);
 
   /// The side that a ray goes through: 0, 1: up, down the x axis, 2, 3: the y axis.

@@ -18,9 +18,13 @@ double least_square(double low, double high) {
 
 }  // namespace
 
+Panorama& Panorama::of_this_thread() {
+  static thread_local Panorama panorama;
+  return panorama;
+}
+
 void Panorama::look(const Raster& heights, const Point& origin, double max_range, int columns) {
   horizon_.look(heights, origin, max_range, columns);
-  pixels_.resize(std::size_t{4} * columns * kRows);
   const double range = max_range / heights.cell();
   std::uint16_t* pixels = pixels_.data();
   for (int side = 0; side < 4; ++side) {

@@ -21,6 +21,12 @@ class Panorama {
   static constexpr std::uint16_t kNothing = 0xffff;
   static constexpr double kMostSlabs = 65000.0;  ///< that a pixel can tell apart
 
+  /// One for each thread, so that memory is taken once.
+  static Panorama& of_this_thread();
+
+  /// What it is drawn from; also to be used without a picture.
+  Horizon& horizon() { return horizon_; }
+
   /// As `Horizon::look`.
   void look(const Raster& heights, const Point& origin, double max_range, int columns);
 
@@ -39,8 +45,9 @@ class Panorama {
   __attribute__((always_inline)) int glance(Rays& rays, int count) const;
 
  private:
-  static constexpr double kSteep = 1e-9;    // a ray that goes less ahead goes straight up or down
-  static constexpr double kSteepest = 2.0;  // slope of the outer rows, which hold all beyond as well
+  static constexpr double kSteep = 1e-9;  // a ray that goes less ahead goes straight up or down
+  static constexpr double kSteepest =
+      2.0;  // slope of the outer rows, which hold all beyond as well
   static constexpr int kRows = 256;
   static constexpr double kRowsPerSlope = kRows / (2.0 * kSteepest);
 
@@ -48,7 +55,9 @@ class Panorama {
   void draw(int side, int column, double square_range, std::uint16_t* pixels) const;
 
   Horizon horizon_;
-  std::vector<std::uint16_t> pixels_;  ///< by side, column, row
+  /// By side, column, row.
+  std::vector<std::uint16_t> pixels_ =
+      std::vector<std::uint16_t>(std::size_t{4} * Horizon::kMostColumns * kRows);
 };
 
 inline int Panorama::glance(Rays& rays, int count) const {

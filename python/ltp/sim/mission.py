@@ -26,7 +26,6 @@ from ltp.sim.vehicle import PointMass
 from ltp.world import World, priority_map
 
 
-
 class Observer(Protocol):
     """Something that watches a mission: progress, a log, a recording. It changes nothing."""
 
