@@ -29,7 +29,8 @@ struct RayEnds {
   static constexpr double kUndecided = -1.0;  ///< a range: not hit within the first few cells
 
   alignas(64) std::array<double, kMost> range;  ///< as in `RayHit` [m]
-  alignas(64) std::array<double, kMost> x;      ///< `RayHit::inside`, if there is a hit [m]
+  /// `RayHit::inside` of a hit [m]. If undecided: the cell where the ray is, and since when [m].
+  alignas(64) std::array<double, kMost> x;
   alignas(64) std::array<double, kMost> y;
   alignas(64) std::array<double, kMost> z;
 };

@@ -159,13 +159,16 @@ LTP_INLINE inline void walk(const BundleStart& from, const Panorama::Rays& rays,
   z_in = lid < z_in ? lid : z_in;
   const Real otherwise =
       going == 1 ? zero + RayEnds::kUndecided : zero + std::numeric_limits<double>::infinity();
+  const Real x_end = going == 1 ? i : x_in;
+  const Real y_end = going == 1 ? j : y_in;
+  const Real z_end = going == 1 ? t_in : z_in;
   hit = range < max_range ? hit : no;
   range = hit == 1 ? range : otherwise;
   for (int lane = 0; lane < kLanes; ++lane) {
     ends.range[at + lane] = range[lane];
-    ends.x[at + lane] = x_in[lane];
-    ends.y[at + lane] = y_in[lane];
-    ends.z[at + lane] = z_in[lane];
+    ends.x[at + lane] = x_end[lane];
+    ends.y[at + lane] = y_end[lane];
+    ends.z[at + lane] = z_end[lane];
   }
 }
 

@@ -11,10 +11,15 @@
 namespace ltp {
 namespace {
 
+using sensing::GroundTrack;
 using sensing::Horizon;
 using sensing::Panorama;
+using sensing::TrackAxis;
+using sensing::TrackPosition;
 
 constexpr Eigen::Index kFewest = 1000;  // rays for which a picture pays
+
+constexpr int kAgain = 2;  // the level where the few go on that are not decided; measured
 
 /// Columns of each side, for so many rays; measured.
 int columns_for(Eigen::Index rays) { return rays < 16384 ? 32 : Horizon::kMostColumns; }
@@ -48,7 +53,13 @@ void HeightSurface::cast_bundle(const Point& origin, const Eigen::Matrix3d& turn
     for (int n = 0; n < found; ++n) {
       const int ray = rays.near[n];
       if (ends.range[n] == sensing::RayEnds::kUndecided) {
-        const RayHit hit = cast(origin, {rays.x[ray], rays.y[ray], rays.z[ray]}, max_range);
+        const Point direction(rays.x[ray], rays.y[ray], rays.z[ray]);
+        const GroundTrack track(TrackAxis(start.x, direction.x()),
+                                TrackAxis(start.y, direction.y()));
+        const int j = static_cast<int>(ends.y[n]);
+        const TrackPosition at{static_cast<int>(ends.x[n]), j, ends.z[n],
+                               track.y.enters(j, ends.z[n]) ? 1 : 0};
+        const RayHit hit = walk(origin, direction, max_range, track, at, std::min(top(), kAgain));
         if (hit.hit()) hits.add(first + ray, hit.range, hit.inside);
       } else if (ends.range[n] < max_range) {
         hits.add(first + ray, ends.range[n], {ends.x[n], ends.y[n], ends.z[n]});
