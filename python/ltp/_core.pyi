@@ -221,6 +221,12 @@ class Surface:
         The first hit nearer than max_range [m] of the ray from origin (3,) along the unit vector
         direction (3,). A ray that starts inside the solid hits at range 0.
         """
+    def cast_rays(self, origins: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], directions: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], max_range: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (N,): ranges [m] of the rays from origins (N, 3) [m] along the unit vectors directions (N, 3),
+        both float64; inf: no hit nearer than max_range [m]. Neighbours with the same origin are cast
+        together, a thousand or more of them several times faster.
+        """
 class HeightSurface(Surface):
     """
     The exact surface of a height raster: each cell is a solid column from below everything up
@@ -430,7 +436,7 @@ class Scan:
     @property
     def misses(self) -> numpy.ndarray:
         """
-        (M, 3), where rays without a return end, at the maximum range [m]; a read-only view
+        (M, 3), where rays without a return end, at the maximum range [m]; a read-only view; empty if only counted
         """
     @property
     def origin(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -454,10 +460,10 @@ class Lidar:
         directions. NaN, 0, negative and -inf are invalid; +inf and anything at or beyond the
         maximum range is a miss.
         """
-    def scan(self, surface: Surface, pose: Pose, sequence: typing.SupportsInt | typing.SupportsIndex = 0) -> Scan:
+    def scan(self, surface: Surface, pose: Pose, sequence: typing.SupportsInt | typing.SupportsIndex = 0, *, misses: bool = True) -> Scan:
         """
         Scans a surface. sequence numbers the scan: noise differs from scan to scan and repeats from
-        run to run.
+        run to run. misses=False only counts the misses, which saves about half of the time.
         """
     @property
     def directions(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:

@@ -17,6 +17,20 @@ namespace {
 
 using namespace test;  // NOLINT: the scenes
 
+/// The hits of a fan, one a beam.
+std::vector<RayHit> cast_fan(const Surface& surface, const Point& from,
+                             const Eigen::Vector2d& heading, const BeamFan& fan, double max_range) {
+  RayHits found;
+  found.reset(fan.size());
+  surface.cast_fans(from, {heading}, fan, max_range, found);
+  std::vector<RayHit> hits(fan.size());
+  for (std::int64_t n = 0; n < found.size(); ++n) {
+    EXPECT_TRUE(n == 0 || found.ray(n) > found.ray(n - 1));
+    hits.at(found.ray(n)) = {found.range(n), found.inside(n)};
+  }
+  return hits;
+}
+
 TEST(HeightSurface, CastAgreesWithTryingEveryColumn) {
   Random random(1);
   int hits = 0, misses = 0, starts_inside = 0, from_outside = 0;
@@ -97,7 +111,6 @@ TEST(HeightSurface, CastAgreesOnRaysThatRunAlongTheLattice) {
 
 TEST(HeightSurface, AFanIsItsRays) {
   Random random(3);
-  std::vector<RayHit> hits;
   int found = 0, missed = 0;
   for (int scene = 0; scene < 40; ++scene) {
     const HeightSurface surface(random_city(random, 1 + random() % 50, 1 + random() % 50,
@@ -111,8 +124,7 @@ TEST(HeightSurface, AFanIsItsRays) {
       const Eigen::Vector2d heading(std::cos(angle), std::sin(angle));
       const Point from = random_point(random, surface.heights());
       const double max_range = uniform(random, 1, 80);
-      surface.cast_fan(from, heading, fan, max_range, hits);
-      ASSERT_EQ(hits.size(), elevations.size());
+      const std::vector<RayHit> hits = cast_fan(surface, from, heading, fan, max_range);
       for (int row = 0; row < fan.size(); ++row) {
         const Point direction(fan[row].cosine * heading.x(), fan[row].cosine * heading.y(),
                               fan[row].sine);
@@ -138,7 +150,6 @@ TEST(HeightSurface, AFanIsItsRaysAlongTheLatticeToo) {
   const std::vector<Eigen::Vector2d> headings = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},
                                                  {d, d}, {-d, d}, {d, -d}, {-d, -d}};
   const BeamFan fan({-1.2, -kPi / 4, -0.3, 0.0, 0.3, kPi / 4});
-  std::vector<RayHit> hits;
   int found = 0;
   for (int scene = 0; scene < 20; ++scene) {
     Raster::Values values(9, 7);
@@ -147,7 +158,7 @@ TEST(HeightSurface, AFanIsItsRaysAlongTheLatticeToo) {
     for (int n = 0; n < 500; ++n) {
       const Point from(-5 + 0.5 * (random() % 27), 0.5 * (random() % 23), 0.5 * (random() % 14));
       const Eigen::Vector2d& heading = headings[n % headings.size()];
-      surface.cast_fan(from, heading, fan, 20, hits);
+      const std::vector<RayHit> hits = cast_fan(surface, from, heading, fan, 20);
       for (int row = 0; row < fan.size(); ++row) {
         const Point direction(fan[row].cosine * heading.x(), fan[row].cosine * heading.y(),
                               fan[row].sine);
@@ -164,6 +175,49 @@ TEST(HeightSurface, AFanIsItsRaysAlongTheLatticeToo) {
     }
   }
   EXPECT_GT(found, 10000);
+}
+
+TEST(HeightSurface, FansCastTogetherAreFansCastOneByOne) {
+  // Together they look round first, one by one they do not.
+  Random random(15);
+  RayHits together, alone;
+  std::int64_t found = 0, rays = 0;
+  for (int scene = 0; scene < 120; ++scene) {
+    const bool lattice = scene % 4 == 0;
+    const HeightSurface surface(random_city(random, 1 + random() % 90, 1 + random() % 90,
+                                            {lattice ? 3 : uniform(random, -9, 9), 3},
+                                            scene % 2 == 0 ? 1.0 : 0.7));
+    std::vector<double> elevations(1 + random() % 64);
+    for (double& e : elevations) e = uniform(random, -1.5, 1.5);
+    std::sort(elevations.begin(), elevations.end());
+    const BeamFan fan(elevations);
+    std::vector<Eigen::Vector2d> headings;
+    for (int n = 0; n < (scene % 3 == 0 ? 1024 : 128); ++n) {
+      const double angle = n < 8 ? n * kPi / 4 : uniform(random, -kPi, kPi);
+      headings.emplace_back(std::cos(angle), std::sin(angle));
+    }
+    Point from = random_point(random, surface.heights());
+    if (lattice) from = from.array().round();
+    const double max_range = uniform(random, 1, 80);
+    together.reset(static_cast<std::int64_t>(headings.size()) * fan.size());
+    surface.cast_fans(from, headings, fan, max_range, together);
+    std::int64_t n = 0;
+    for (std::size_t azimuth = 0; azimuth < headings.size(); ++azimuth) {
+      alone.reset(fan.size());
+      surface.cast_fans(from, {headings[azimuth]}, fan, max_range, alone);
+      ASSERT_LE(n + alone.size(), together.size());
+      for (std::int64_t hit = 0; hit < alone.size(); ++hit, ++n) {
+        ASSERT_EQ(together.ray(n), alone.ray(hit) + static_cast<int>(azimuth) * fan.size());
+        ASSERT_EQ(together.range(n), alone.range(hit));
+        ASSERT_EQ(together.inside(n), alone.inside(hit));
+      }
+      rays += fan.size();
+    }
+    ASSERT_EQ(n, together.size());
+    found += n;
+  }
+  EXPECT_GT(found, rays / 10);
+  EXPECT_LT(found, rays - rays / 10);
 }
 
 TEST(HeightSurface, EveryHitFallsIntoACellThatOccupancySets) {
@@ -262,9 +316,7 @@ TEST(HeightSurface, ARangeIsHitOnlyBelowTheMaximum) {
   EXPECT_TRUE(surface.cast({0.5, 1.5, 3}, {1, 0, 0}, std::nextafter(1.5, 2)).hit());
   EXPECT_FALSE(surface.cast({2.5, 1.5, 11}, {0, 0, -1}, 6).hit());
   EXPECT_TRUE(surface.cast({2.5, 1.5, 11}, {0, 0, -1}, std::nextafter(6, 7)).hit());
-  std::vector<RayHit> hits;
-  surface.cast_fan({0.5, 1.5, 3}, {1, 0}, BeamFan({0.0}), 1.5, hits);
-  EXPECT_FALSE(hits[0].hit());
+  EXPECT_FALSE(cast_fan(surface, {0.5, 1.5, 3}, {1, 0}, BeamFan({0.0}), 1.5)[0].hit());
 }
 
 TEST(HeightSurface, AGrazingRayGoesOn) {

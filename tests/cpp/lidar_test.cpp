@@ -141,6 +141,27 @@ TEST(Lidar, AScanIsItsRays) {
   }
 }
 
+TEST(Lidar, MissesCanBeCountedOnly) {
+  LidarOptions noisy = small_lidar();
+  noisy.range_noise_sd = 20;
+  noisy.drop_out = 0.1;
+  for (const LidarOptions& options : {small_lidar(), noisy}) {
+    const Lidar lidar(options);
+    for (const double pitch : {0.0, 0.2}) {
+      Scan listed, counted;
+      counted.misses.resize(3);
+      lidar.scan(town(), pose({60, 95, 20}, 0.3, pitch), 0, listed);
+      lidar.scan(town(), pose({60, 95, 20}, 0.3, pitch), 0, counted, Misses::Counted);
+      EXPECT_EQ(counted.hits, listed.hits);
+      EXPECT_TRUE(counted.misses.empty());
+      EXPECT_EQ(counted.statistics.hits, listed.statistics.hits);
+      EXPECT_EQ(counted.statistics.misses, static_cast<std::int64_t>(listed.misses.size()));
+      EXPECT_EQ(counted.statistics.invalid, listed.statistics.invalid);
+      EXPECT_EQ(counted.statistics.dropped, listed.statistics.dropped);
+    }
+  }
+}
+
 TEST(Lidar, SeesTheWallInFrontAndTheGroundBelow) {
   LidarOptions options;
   options.pattern = {1, 0, 0, 2, -80, 0};

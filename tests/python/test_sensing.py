@@ -60,6 +60,28 @@ def test_a_ray_hits_the_wall_in_front() -> None:
     assert np.isnan(miss.inside).all()
 
 
+def test_rays_cast_together_are_rays_cast_one_by_one() -> None:
+    rng = np.random.default_rng(3)
+    surface = random_city(3)
+    origins = np.repeat(rng.uniform([8, 14, 26], [18, 20, 28], (3, 3)), (1500, 2, 1), axis=0)
+    directions = rng.normal(size=origins.shape)
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    ranges = surface.cast_rays(origins, directions, 30.0)
+    expected = [surface.cast(o, d, 30.0).range for o, d in zip(origins, directions, strict=True)]
+    np.testing.assert_array_equal(ranges, expected)
+    assert 100 < np.isfinite(ranges).sum() < 1300
+    assert surface.cast_rays(np.zeros((0, 3)), np.zeros((0, 3)), 30.0).shape == (0,)
+
+
+def test_misses_can_be_counted_only() -> None:
+    pose = Pose((60, 95, 20), pitch=0.1)
+    listed = small_lidar().scan(town(), pose)
+    counted = small_lidar().scan(town(), pose, misses=False)
+    np.testing.assert_array_equal(counted.hits, listed.hits)
+    assert counted.misses.shape == (0, 3)
+    assert counted.statistics.misses == len(listed.misses)
+
+
 @settings(deadline=None, max_examples=40)
 @given(
     seed=st.integers(0, 2**32 - 1),
@@ -193,6 +215,10 @@ def test_an_octree_surface_holds_the_voxels_of_its_points() -> None:
         (lambda s: s.cast((0, 0, 0), (math.nan, 0, 0), 10), "direction"),
         (lambda s: s.cast((0, 0, 0), (1, 0, 0), -1), "max_range"),
         (lambda s: s.cast((0, 0, 0), (1, 0, 0), math.inf), "max_range"),
+        (lambda s: s.cast_rays(np.full((1, 3), math.nan), np.eye(3)[:1], 10), r"origins\[0\]"),
+        (lambda s: s.cast_rays(np.zeros((2, 3)), np.eye(3), 10), "directions"),
+        (lambda s: s.cast_rays(np.eye(3), 2 * np.eye(3), 10), r"directions\[0\]"),
+        (lambda s: s.cast_rays(np.eye(3), np.eye(3), 0), "max_range"),
         (lambda s: s.first_collision(np.array([[0, 0, 1], [0, 0, math.inf]])), r"path\[1\]"),
         (lambda s: s.clearance(np.array([[0, 0, 1], [0, math.nan, 0]]), 10), r"points\[1\]"),
         (lambda s: s.clearance(np.zeros((1, 3)), -1), "max_distance"),
@@ -216,6 +242,7 @@ def test_a_wrong_value_is_named(call: Any, message: str) -> None:
     [
         lambda s: s.first_collision(np.zeros((2, 3), dtype=np.float32)),
         lambda s: s.first_collision(np.zeros((2, 2))),
+        lambda s: s.cast_rays(np.zeros((3, 3), dtype=np.float32), np.eye(3), 1.0),
         lambda s: s.clearance(np.zeros((2, 3), dtype=np.int64), 1.0),
         lambda s: s.clearance(np.zeros((3, 4)).T[:, :3], 1.0),
         lambda s: OctreeSurface(np.zeros((2, 3), dtype=np.float32), 1.0),

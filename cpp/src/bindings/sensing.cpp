@@ -17,12 +17,15 @@ namespace {
 
 using ReleaseGil = py::call_guard<py::gil_scoped_release>;
 
+template <typename Vector>
+bool is_unit(const Vector& direction) {
+  return std::abs(direction.squaredNorm() - 1.0) < 2e-6;  // false for NaN
+}
+
 ltp::RayHit cast(const ltp::Surface& surface, const ltp::Point& origin, const ltp::Point& direction,
                  double max_range) {
   ltp::check::finite("origin", origin);
-  if (!(std::abs(direction.norm() - 1.0) < 1e-6)) {
-    ltp::check::fail("direction", direction.transpose(), "a unit vector");
-  }
+  if (!is_unit(direction)) ltp::check::fail("direction", direction.transpose(), "a unit vector");
   ltp::check::positive("max_range", max_range);
   return surface.cast(origin, direction, max_range);
 }
@@ -48,6 +51,34 @@ py::array_t<double> clearance(const ltp::HeightSurface& surface, const ltp::Path
   return distances;
 }
 
+/// In pieces, so that Ctrl-C gets through; each large enough for the surface to gain by it.
+py::array_t<double> cast_rays(const ltp::Surface& surface, const ltp::PathRef& origins,
+                              const ltp::PathRef& directions, double max_range) {
+  constexpr Eigen::Index kPiece = 1 << 18;
+  require_finite("origins", origins);
+  if (directions.rows() != origins.rows()) {
+    ltp::check::fail("directions.shape[0]", directions.rows(), "as many as origins");
+  }
+  for (Eigen::Index n = 0; n < directions.rows(); ++n) {
+    if (!is_unit(directions.row(n))) {
+      ltp::check::fail("directions[" + std::to_string(n) + "]", directions.row(n), "a unit vector");
+    }
+  }
+  ltp::check::positive("max_range", max_range);
+  py::array_t<double> ranges(origins.rows());
+  Eigen::Map<Eigen::VectorXd> out(ranges.mutable_data(), origins.rows());
+  for (Eigen::Index begin = 0; begin < origins.rows(); begin += kPiece) {
+    {
+      const py::gil_scoped_release release;
+      const Eigen::Index count = std::min(kPiece, origins.rows() - begin);
+      surface.cast_rays(origins.middleRows(begin, count), directions.middleRows(begin, count),
+                        max_range, out.segment(begin, count));
+    }
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+  return ranges;
+}
+
 /// A read-only (N, 3) view of a scan's points that keeps the scan alive.
 template <std::vector<ltp::Point> ltp::Scan::*kPoints>
 py::array points_view(const py::object& self) {
@@ -71,7 +102,12 @@ void bind_surfaces(py::module_& m) {
   py::class_<ltp::Surface>(m, "Surface", "Something that a ray can hit.")
       .def("cast", &cast, "origin"_a, "direction"_a, "max_range"_a,
            "The first hit nearer than max_range [m] of the ray from origin (3,) along the unit "
-           "vector\ndirection (3,). A ray that starts inside the solid hits at range 0.");
+           "vector\ndirection (3,). A ray that starts inside the solid hits at range 0.")
+      .def("cast_rays", &cast_rays, py::arg("origins").noconvert(),
+           py::arg("directions").noconvert(), "max_range"_a,
+           "(N,): ranges [m] of the rays from origins (N, 3) [m] along the unit vectors directions "
+           "(N, 3),\nboth float64; inf: no hit nearer than max_range [m]. Neighbours with the same "
+           "origin are cast\ntogether, a thousand or more of them several times faster.");
 
   py::class_<ltp::HeightSurface, ltp::Surface>(
       m, "HeightSurface",
@@ -156,7 +192,7 @@ void bind_scan(py::module_& m) {
                              "(N, 3), end points of the returns [m]; a read-only view")
       .def_property_readonly("misses", &points_view<&ltp::Scan::misses>,
                              "(M, 3), where rays without a return end, at the maximum range [m]; a "
-                             "read-only view")
+                             "read-only view; empty if only counted")
       .def_readonly("statistics", &ltp::Scan::statistics);
 }
 
@@ -178,14 +214,16 @@ void bind_sensing(py::module_& m) {
       .def(
           "scan",
           [](const ltp::Lidar& lidar, const ltp::Surface& surface, const ltp::Pose& pose,
-             std::uint64_t sequence) {
+             std::uint64_t sequence, bool misses) {
             auto scan = std::make_unique<ltp::Scan>();
-            lidar.scan(surface, pose, sequence, *scan);
+            lidar.scan(surface, pose, sequence, *scan,
+                       misses ? ltp::Misses::Listed : ltp::Misses::Counted);
             return scan;
           },
-          "surface"_a, "pose"_a, "sequence"_a = 0, ReleaseGil(),
+          "surface"_a, "pose"_a, "sequence"_a = 0, py::kw_only(), "misses"_a = true, ReleaseGil(),
           "Scans a surface. sequence numbers the scan: noise differs from scan to scan and repeats "
-          "from\nrun to run.")
+          "from\nrun to run. misses=False only counts the misses, which saves about half of the "
+          "time.")
       .def(
           "from_ranges",
           [](const ltp::Lidar& lidar, const Eigen::Ref<const Eigen::VectorXd>& ranges,

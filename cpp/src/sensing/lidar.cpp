@@ -16,6 +16,12 @@ constexpr double kLevel = 1e-12;  // a body axis this near to the world's is upr
 
 enum Draw : std::uint64_t { kRangeDraw = 0, kDropOutDraw = 2 };  // a normal takes two numbers
 
+/// Throws if the pose is none.
+Eigen::Matrix3d turn_of(const Pose& pose) {
+  check::finite("pose", pose);
+  return pose.world_from_body.normalized().toRotationMatrix();
+}
+
 LidarPattern checked(const LidarOptions& options) {
   options.check();
   return options.pattern;
@@ -46,66 +52,65 @@ std::vector<Eigen::Vector2d> headings(const LidarPattern& pattern) {
 /// Sorts the returns of one scan into its lists.
 class Sorter {
  public:
-  Sorter(const LidarOptions& options, const Point& origin, std::uint64_t sequence, Scan& out)
+  /// @param directions  of the rays, in the sensor's frame
+  Sorter(const LidarOptions& options, const Path& directions, const Pose& pose, Misses misses,
+         Scan& out)
       : options_(options),
-        sequence_(sequence),
-        noisy_(options.range_noise_sd > 0.0 || options.drop_out > 0.0),
+        directions_(directions),
+        turn_(turn_of(pose)),
+        misses_(misses),
         out_(out) {
-    out.origin = origin;
+    out.origin = pose.position;
     out.statistics = {};
-    out.hits.clear();
     out.misses.clear();
-    out.hits.reserve(options.pattern.size());
-    out.misses.reserve(options.pattern.size());
+    if (misses == Misses::Listed) out.misses.reserve(directions.rows());
   }
 
-  /// A ray's hit on a surface. `direction` is called only if the end point must be computed.
-  template <typename Direction>
-  void add(std::int64_t ray, const RayHit& hit, const Direction& direction) {
-    if (!hit.hit()) {
-      miss(direction());
-    } else if (!noisy_) {
-      out_.hits.push_back(hit.inside);
-    } else {
-      add_noisy(ray, hit, direction());
+  const Eigen::Matrix3d& turn() const { return turn_; }
+
+  /// No return from rays [first, last).
+  void miss(Eigen::Index first, Eigen::Index last) {
+    out_.statistics.misses += last - first;
+    if (misses_ == Misses::Counted) return;
+    for (Eigen::Index ray = first; ray < last; ++ray) {
+      out_.misses.push_back(at(ray, options_.max_range));
     }
   }
 
   /// A range that a sensor measured.
-  void add_range(double range, const Point& direction) {
+  void add_range(Eigen::Index ray, double range) {
     if (!(range > 0.0)) {  // negated for NaN
       ++out_.statistics.invalid;
     } else if (range >= options_.max_range) {
-      miss(direction);
+      miss(ray, ray + 1);
     } else {
-      out_.hits.push_back(out_.origin + range * direction);
+      out_.hits.push_back(at(ray, range));
     }
   }
 
-  void finish() {
-    out_.statistics.hits = static_cast<std::int64_t>(out_.hits.size());
-    out_.statistics.misses = static_cast<std::int64_t>(out_.misses.size());
-  }
-
- private:
-  void miss(const Point& direction) {
-    out_.misses.push_back(out_.origin + options_.max_range * direction);
-  }
-
-  void add_noisy(std::int64_t ray, const RayHit& hit, const Point& direction) {
-    const sensing::RayNoise noise(options_.seed, sequence_, static_cast<std::uint64_t>(ray));
+  /// A true hit, seen by a sensor with noise.
+  void add_noisy(Eigen::Index ray, double range, const Point& inside, std::uint64_t sequence) {
+    const sensing::RayNoise noise(options_.seed, sequence, static_cast<std::uint64_t>(ray));
     if (noise.uniform(kDropOutDraw) < options_.drop_out) {
       ++out_.statistics.dropped;
     } else if (options_.range_noise_sd > 0.0) {
-      add_range(hit.range + options_.range_noise_sd * noise.normal(kRangeDraw), direction);
+      add_range(ray, range + options_.range_noise_sd * noise.normal(kRangeDraw));
     } else {
-      out_.hits.push_back(hit.inside);
+      out_.hits.push_back(inside);
     }
   }
 
+  void finish() { out_.statistics.hits = static_cast<std::int64_t>(out_.hits.size()); }
+
+ private:
+  Point at(Eigen::Index ray, double range) const {
+    return out_.origin + range * turned(turn_, directions_.row(ray));
+  }
+
   const LidarOptions& options_;
-  std::uint64_t sequence_;
-  bool noisy_;
+  const Path& directions_;
+  Eigen::Matrix3d turn_;
+  Misses misses_;
   Scan& out_;
 };
 
@@ -153,48 +158,56 @@ Lidar::Lidar(const LidarOptions& options)
   }
 }
 
-void Lidar::scan(const Surface& surface, const Pose& pose, std::uint64_t sequence,
-                 Scan& out) const {
-  check::finite("pose", pose);
-  const Eigen::Matrix3d turn = pose.world_from_body.normalized().toRotationMatrix();
-  Sorter sorter(options_, pose.position, sequence, out);
+void Lidar::scan(const Surface& surface, const Pose& pose, std::uint64_t sequence, Scan& out,
+                 Misses misses) const {
+  static thread_local RayHits hits;  // both reused from scan to scan
+  static thread_local std::vector<Eigen::Vector2d> turned_headings;
+  Sorter sorter(options_, directions_, pose, misses, out);
+  const Eigen::Matrix3d& turn = sorter.turn();
+  const bool noisy = options_.range_noise_sd > 0.0 || options_.drop_out > 0.0;
+  if (!noisy) hits.swap_inside(out.hits);  // to be found where they are wanted
+  hits.reset(directions_.rows());
 
   const bool level = (turn.col(2) - Point::UnitZ()).norm() <= kLevel;
   if (level) {
-    static thread_local std::vector<RayHit>
-        hits;  // reused from azimuth to azimuth and scan to scan
-    std::int64_t ray = 0;
-    for (const Eigen::Vector2d& forward : headings_) {
-      const Eigen::Vector2d heading = (turn.topLeftCorner<2, 2>() * forward).normalized();
-      surface.cast_fan(pose.position, heading, fan_, options_.max_range, hits);
-      for (int row = 0; row < fan_.size(); ++row, ++ray) {
-        const BeamFan::Beam& beam = fan_[row];
-        sorter.add(ray, hits[row], [&] {
-          return Point(beam.cosine * heading.x(), beam.cosine * heading.y(), beam.sine);
-        });
-      }
+    turned_headings.clear();
+    for (const Eigen::Vector2d& heading : headings_) {
+      turned_headings.push_back((turn.topLeftCorner<2, 2>() * heading).normalized());
     }
+    surface.cast_fans(pose.position, turned_headings, fan_, options_.max_range, hits);
   } else {
-    for (Eigen::Index ray = 0; ray < directions_.rows(); ++ray) {
-      const Point direction = turn * directions_.row(ray).transpose();
-      const RayHit hit = surface.cast(pose.position, direction, options_.max_range);
-      sorter.add(ray, hit, [&] { return direction; });
-    }
+    surface.cast_bundle(pose.position, turn, directions_, options_.max_range, hits);
   }
+
+  if (noisy) {
+    out.hits.clear();
+    out.hits.reserve(directions_.rows());
+  }
+  if (noisy || misses == Misses::Listed) {
+    std::int64_t next = 0;
+    for (std::int64_t n = 0; n < hits.size(); ++n) {
+      const std::int32_t ray = hits.ray(n);
+      sorter.miss(next, ray);
+      if (noisy) sorter.add_noisy(ray, hits.range(n), hits.inside(n), sequence);
+      next = ray + 1;
+    }
+    sorter.miss(next, directions_.rows());
+  } else {
+    sorter.miss(hits.size(), directions_.rows());  // whichever they are
+  }
+  if (!noisy) hits.swap_inside(out.hits);
   sorter.finish();
 }
 
 void Lidar::from_ranges(const Eigen::Ref<const Eigen::VectorXd>& ranges, const Pose& pose,
                         Scan& out) const {
-  check::finite("pose", pose);
   if (ranges.size() != directions_.rows()) {
     check::fail("ranges.size", ranges.size(), "one range a ray: azimuths * rows");
   }
-  const Eigen::Matrix3d turn = pose.world_from_body.normalized().toRotationMatrix();
-  Sorter sorter(options_, pose.position, 0, out);
-  for (Eigen::Index ray = 0; ray < ranges.size(); ++ray) {
-    sorter.add_range(ranges[ray], turn * directions_.row(ray).transpose());
-  }
+  Sorter sorter(options_, directions_, pose, Misses::Listed, out);
+  out.hits.clear();
+  out.hits.reserve(directions_.rows());
+  for (Eigen::Index ray = 0; ray < ranges.size(); ++ray) sorter.add_range(ray, ranges[ray]);
   sorter.finish();
 }
 

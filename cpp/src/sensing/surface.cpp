@@ -24,13 +24,52 @@ BeamFan::BeamFan(const std::vector<double>& elevations) {
   }
 }
 
-void Surface::cast_fan(const Point& origin, const Eigen::Vector2d& heading, const BeamFan& fan,
-                       double max_range, std::vector<RayHit>& hits) const {
-  hits.resize(fan.size());
-  for (int row = 0; row < fan.size(); ++row) {
-    const BeamFan::Beam& beam = fan[row];
-    const Point direction(beam.cosine * heading.x(), beam.cosine * heading.y(), beam.sine);
-    hits[row] = cast(origin, direction, max_range);
+void RayHits::reset(std::int64_t rays) {
+  size_ = 0;
+  rays_.resize(rays);
+  ranges_.resize(rays);
+  inside_.resize(rays);
+}
+
+void RayHits::swap_inside(std::vector<Point>& points) {
+  inside_.resize(size_);
+  inside_.swap(points);
+  size_ = 0;
+}
+
+void Surface::cast_fans(const Point& origin, const std::vector<Eigen::Vector2d>& headings,
+                        const BeamFan& fan, double max_range, RayHits& hits) const {
+  std::int64_t ray = 0;
+  for (const Eigen::Vector2d& heading : headings) {
+    for (int row = 0; row < fan.size(); ++row, ++ray) {
+      const BeamFan::Beam& beam = fan[row];
+      const Point direction(beam.cosine * heading.x(), beam.cosine * heading.y(), beam.sine);
+      const RayHit hit = cast(origin, direction, max_range);
+      if (hit.hit()) hits.add(ray, hit.range, hit.inside);
+    }
+  }
+}
+
+void Surface::cast_bundle(const Point& origin, const Eigen::Matrix3d& turn,
+                          const PathRef& directions, double max_range, RayHits& hits) const {
+  for (Eigen::Index ray = 0; ray < directions.rows(); ++ray) {
+    const RayHit hit = cast(origin, turned(turn, directions.row(ray)), max_range);
+    if (hit.hit()) hits.add(ray, hit.range, hit.inside);
+  }
+}
+
+void Surface::cast_rays(const PathRef& origins, const PathRef& directions, double max_range,
+                        Eigen::Ref<Eigen::VectorXd> ranges) const {
+  static thread_local RayHits hits;  // reused from call to call
+  ranges.setConstant(std::numeric_limits<double>::infinity());
+  for (Eigen::Index first = 0; first < origins.rows();) {
+    Eigen::Index last = first + 1;
+    while (last < origins.rows() && origins.row(last) == origins.row(first)) ++last;
+    hits.reset(last - first);
+    cast_bundle(origins.row(first).transpose(), Eigen::Matrix3d::Identity(),
+                directions.middleRows(first, last - first), max_range, hits);
+    for (std::int64_t n = 0; n < hits.size(); ++n) ranges[first + hits.ray(n)] = hits.range(n);
+    first = last;
   }
 }
 

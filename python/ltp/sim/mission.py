@@ -25,8 +25,6 @@ from ltp.sim.record import FlightRecord, Outcome
 from ltp.sim.vehicle import PointMass
 from ltp.world import World, priority_map
 
-_NO_POINTS = np.empty((0, 3))
-
 
 class Observer(Protocol):
     """Something that watches a mission: progress, a log, a recording. It changes nothing."""
@@ -93,9 +91,13 @@ class Mission:
             observer.on_start(self)
         outcome, collision, held = None, None, 0.0
         while outcome is None:
-            self.scan = self.lidar.scan(self.surface, Pose(self.position), self.tick)
-            misses = self.scan.misses if self.config.mapping.carve_free_space else _NO_POINTS
-            self.planner.sense(self.scan.origin, self.scan.hits, misses)
+            self.scan = self.lidar.scan(
+                self.surface,
+                Pose(self.position),
+                self.tick,
+                misses=self.config.mapping.carve_free_space,
+            )
+            self.planner.sense(self.scan.origin, self.scan.hits, self.scan.misses)
             status = self.planner.update(self.position)
             if self.log.note(self.time, self.vehicle):
                 self.guidance.follow(self.planner.path)

@@ -12,6 +12,11 @@
 
 namespace ltp {
 
+namespace sensing {
+struct GroundTrack;
+struct TrackPosition;
+}  // namespace sensing
+
 /// Each cell of the raster is a solid column from below everything up to its height. Outside the
 /// raster there is nothing. Any attitude: cells are skipped by hierarchical maxima; a level fan:
 /// one sweep of the horizon. Queries are exact, allocate nothing and may run in several threads.
@@ -22,10 +27,15 @@ class HeightSurface final : public Surface {
   const Raster& heights() const { return heights_; }
 
   RayHit cast(const Point& origin, const Point& direction, double max_range) const override;
-  /// All beams share a ground track, so one that is blocked blocks every lower one: a single walk
-  /// over the cells moves the lowest free beam up. Cells plus beams, not cells times beams.
-  void cast_fan(const Point& origin, const Eigen::Vector2d& heading, const BeamFan& fan,
-                double max_range, std::vector<RayHit>& hits) const override;
+  /// All beams of a fan share a ground track, so one that is blocked blocks every lower one: a
+  /// single walk over the cells moves the lowest free beam up. Cells plus beams, not cells times
+  /// beams.
+  void cast_fans(const Point& origin, const std::vector<Eigen::Vector2d>& headings,
+                 const BeamFan& fan, double max_range, RayHits& hits) const override;
+  /// Rays that look the same way meet the same columns: where a ray can hit first is looked up in
+  /// a picture of the surroundings, and only there it is walked, cell by cell.
+  void cast_bundle(const Point& origin, const Eigen::Matrix3d& turn, const PathRef& directions,
+                   double max_range, RayHits& hits) const override;
 
   /// Arc length [m] at which a path first touches the solid, exactly along its segments (a closed
   /// solid: grazing a top or a wall touches it); empty if it never does. A path of one point is
@@ -53,6 +63,13 @@ class HeightSurface final : public Surface {
   const double* values(int level) const {
     return level == 0 ? heights_.values().data() : maxima_.data() + levels_[level].offset;
   }
+  /// The rest of a ray's walk, which begins among the blocks of a level.
+  RayHit walk(const Point& origin, const Point& direction, double max_range,
+              const sensing::GroundTrack& track, const sensing::TrackPosition& from,
+              int level) const;
+  /// Where a ray hits the column of the cell where it is, and which it would leave at `t_out`.
+  RayHit column_hit(const Point& origin, const Point& direction, double max_range,
+                    const sensing::TrackPosition& at, double t_out) const;
   /// Squared distance [m^2] from a point to the solid below a block, or `nearest` if that is less.
   double squared_clearance(const Point& point, int level, int bi, int bj, double nearest) const;
   /// Squared distance [m^2] from a point to the box that bounds the solid of a block.

@@ -42,11 +42,15 @@ struct ScanStatistics {
   std::int64_t dropped = 0;  ///< returns lost to `drop_out`: says nothing about the world
 };
 
+/// Whether a scan lists its misses. Only who carves free space needs them.
+enum class Misses { Listed, Counted };
+
 /// One revolution, in the world frame. Both lists are in the order of the rays.
 struct Scan {
   Point origin = Point::Zero();  ///< of all its rays [m]
   std::vector<Point> hits;       ///< end points of the returns [m]
-  std::vector<Point> misses;     ///< where rays without a return end, at the maximum range [m]
+  std::vector<Point> misses;     ///< where rays without a return end, at the maximum range [m];
+                                 ///< empty if only counted
   ScanStatistics statistics;
 };
 
@@ -66,8 +70,10 @@ class Lidar {
   /// beyond the maximum range) or an invalid one (not positive).
   /// @param sequence  numbers the scan: noise differs from scan to scan and repeats from run to run
   /// @param out       overwritten; its memory is reused
+  /// @param misses    listing them takes about as long as casting
   /// Throws `std::invalid_argument` for a pose that is not finite or not a rotation.
-  void scan(const Surface& surface, const Pose& pose, std::uint64_t sequence, Scan& out) const;
+  void scan(const Surface& surface, const Pose& pose, std::uint64_t sequence, Scan& out,
+            Misses misses = Misses::Listed) const;
 
   /// The scan that a real sensor's ranges mean, one a ray in the order of `directions()` [m]. NaN,
   /// 0, negative and -inf are invalid; +inf and anything at or beyond the maximum range is a miss.
