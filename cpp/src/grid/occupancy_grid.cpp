@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "ltp/geometry/check.hpp"
+#include "ltp/grid/cell_finder.hpp"
 #include "ltp/grid/ray_walk.hpp"
 
 namespace ltp {
@@ -48,9 +49,10 @@ OccupancyGrid::OccupancyGrid(const GridFrame& frame)
       words_per_column_((frame.nz() - 1) / 64 + 1),
       words_(static_cast<std::size_t>(frame.nx()) * frame.ny() * words_per_column_) {}
 
-bool OccupancyGrid::blocked_at(const Point& point) const {
-  const Cell cell = frame_.cell_of(point);
-  return frame_.contains(cell) && blocked(cell);
+void OccupancyGrid::blocked_at(const PathRef& points, bool* out) const {
+  CellFinder(frame_).for_each(
+      points, [&](Eigen::Index i, const Cell& cell) { out[i] = blocked(cell); },
+      [&](Eigen::Index i) { out[i] = blocked_at(Point(points.row(i).transpose())); });
 }
 
 void OccupancyGrid::set(const Cell& cell, bool blocked) {

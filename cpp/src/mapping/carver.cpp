@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ltp/grid/cell_finder.hpp"
 #include "ltp/grid/ray_walk.hpp"
 
 namespace ltp {
@@ -19,14 +18,12 @@ Carver::Carver(const GridFrame& voxels, const ObstacleMapOptions& options)
       followed_(voxels) {}
 
 void Carver::cast_votes(const Point& origin, const PathRef& hits, const PathRef& misses) {
-  const CellFinder voxel_of(frame_);
   const double range = hit_range(options_);
   // All hits first: rays must not pass what another ray hit.
   for (Eigen::Index i = 0; i < hits.rows(); ++i) {
     const Point hit = hits.row(i).transpose();
     if (!((hit - origin).squaredNorm() < range * range)) continue;
-    const Cell voxel = voxel_of(hit);
-    if (frame_.contains(voxel)) hit_.set(voxel);
+    if (const std::optional<Cell> voxel = frame_.find(hit)) hit_.set(*voxel);
   }
   for (const PathRef* ends : {&hits, &misses}) {
     for (Eigen::Index i = 0; i < ends->rows(); ++i) {
@@ -36,7 +33,7 @@ void Carver::cast_votes(const Point& origin, const PathRef& hits, const PathRef&
       if (length > options_.max_range) {
         end = origin + (options_.max_range / length) * (end - origin);
       }
-      const Cell voxel = voxel_of(end);
+      const Cell voxel = frame_.cell_of(end);
       if (frame_.contains(voxel)) {
         if (followed_.blocked(voxel)) continue;
         followed_.set(voxel);

@@ -54,24 +54,25 @@ InsertStatistics ObstacleMap::insert(const Point& origin, const PathRef& hits,
                                      const PathRef& misses) {
   check::finite("origin", origin);
   InsertStatistics statistics;
-  const CellFinder voxel_of(voxels_.frame());
   const double range = Carver::hit_range(options_);
-  for (Eigen::Index i = 0; i < hits.rows(); ++i) {
-    const Point hit = hits.row(i).transpose();
-    if (!((hit - origin).squaredNorm() < range * range)) {  // NaN comes here, too
-      ++(hit.allFinite() ? statistics.out_of_range : statistics.invalid);
-      continue;
-    }
-    const Cell voxel = voxel_of(hit);
-    if (!voxels_.frame().contains(voxel)) {
-      ++statistics.outside;
-      continue;
-    }
+  const auto mark = [&](const Cell& voxel) {
     ++statistics.marked;
-    if (carver_ || voxels_.blocked(voxel)) continue;
+    if (carver_ || voxels_.blocked(voxel)) return;
     voxels_.set(voxel);
     statistics.new_cells += occupy_cell_of(voxel);
-  }
+  };
+  CellFinder(voxels_.frame(), origin, range).for_each(
+      hits, [&](Eigen::Index, const Cell& voxel) { mark(voxel); },
+      [&](Eigen::Index i) {
+        const Point hit = hits.row(i).transpose();
+        if (!((hit - origin).squaredNorm() < range * range)) {  // NaN comes here, too
+          ++(hit.allFinite() ? statistics.out_of_range : statistics.invalid);
+        } else if (const std::optional<Cell> voxel = voxels_.frame().find(hit)) {
+          mark(*voxel);
+        } else {
+          ++statistics.outside;
+        }
+      });
   for (Eigen::Index i = 0; i < misses.rows(); ++i) {
     if (!misses.row(i).allFinite()) ++statistics.invalid;
   }
