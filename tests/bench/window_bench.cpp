@@ -53,7 +53,7 @@ BENCHMARK(roll_floor)->Name("roll/floor_memmove")->Unit(benchmark::kMicrosecond)
 void inflate_cell(benchmark::State& state) {
   const ObstacleMap map = flown_map();
   const GridFrame& frame = map.occupied().frame();
-  const Inflation inflation(frame, 4.0);
+  Inflation inflation(frame, 4.0);
   OccupancyGrid blocked(frame);
   std::vector<Cell> cells;
   for (std::int64_t i = 0; i < frame.size(); ++i) {

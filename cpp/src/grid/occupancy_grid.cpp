@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "ltp/geometry/check.hpp"
+#include "ltp/grid/bits.hpp"
 #include "ltp/grid/cell_finder.hpp"
 #include "ltp/grid/ray_walk.hpp"
 
@@ -15,12 +16,6 @@ namespace ltp {
 namespace {
 
 int popcount(std::uint64_t word) { return __builtin_popcountll(word); }
-
-/// The bits of word `w` of a column that are levels of a frame with `nz` levels.
-std::uint64_t level_mask(int nz, int w) {
-  const int left = nz - 64 * w;
-  return left >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << left) - 1;
-}
 
 /// Moves the levels of one column down by `dz` (up if negative).
 void shift_levels(std::uint64_t* column, int words, int nz, int dz) {
@@ -37,7 +32,7 @@ void shift_levels(std::uint64_t* column, int words, int nz, int dz) {
     for (int w = words - 1; w >= 0; --w) {
       std::uint64_t value = word(w - by_words) << by_bits;
       if (by_bits > 0) value |= word(w - by_words - 1) >> (64 - by_bits);
-      column[w] = value & level_mask(nz, w);
+      column[w] = value & bits_between(w, 0, nz - 1);
     }
   }
 }
@@ -103,8 +98,12 @@ void OccupancyGrid::roll(const Cell& shift) {
     }
   }
   if (shift.z() != 0) {
-    for (std::int64_t c = 0; c < nx * ny; ++c) {
-      shift_levels(words_.data() + c * words_per_column_, words_per_column_, nz, shift.z());
+    const std::int64_t end = static_cast<std::int64_t>(words_.size());
+    std::int64_t next = next_in_use(words_.data(), 0, end);
+    while (next < end) {
+      const std::int64_t begin = next - next % words_per_column_;
+      shift_levels(words_.data() + begin, words_per_column_, nz, shift.z());
+      next = next_in_use(words_.data(), begin + words_per_column_, end);
     }
   }
 }

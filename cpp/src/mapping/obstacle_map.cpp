@@ -98,10 +98,8 @@ Cell ObstacleMap::recentre(const Point& centre) {
   const Cell voxel_shift = scaled(shift, ratio_);
   voxels_.roll(voxel_shift);  // first: it is the one that can throw
   occupied_.roll(shift);
-  blocked_.roll(shift);
+  inflation_.roll(occupied_, shift, blocked_);
   if (carver_) carver_->roll(voxel_shift);
-  // Cells that left take their inflation with them: once or twice a second, so made anew.
-  inflation_.apply(occupied_, blocked_);
   return shift;
 }
 
