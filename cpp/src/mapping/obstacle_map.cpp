@@ -57,7 +57,8 @@ InsertStatistics ObstacleMap::insert(const Point& origin, const PathRef& hits,
   const double range = Carver::hit_range(options_);
   const auto mark = [&](const Cell& voxel) {
     ++statistics.marked;
-    if (carver_ || voxels_.blocked(voxel)) return;
+    if (carver_) return carver_->mark(voxel);
+    if (voxels_.blocked(voxel)) return;
     voxels_.set(voxel);
     statistics.new_cells += occupy_cell_of(voxel);
   };

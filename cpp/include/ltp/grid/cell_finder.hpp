@@ -14,12 +14,15 @@
 namespace ltp {
 
 /// Finds at once, two points at a time, nearly all that lie inside a grid and a ball; says of which
-/// it is not sure, and there the caller asks the frame. The frame must outlive it.
+/// it is not sure, and there the caller asks the frame.
 class CellFinder {
  public:
+  /// @param blur  certain is only what stays certain if a point moves by so much [m]
   explicit CellFinder(const GridFrame& frame, const Point& centre = Point::Zero(),
-                      double radius = std::numeric_limits<double>::infinity())
-      : frame_(frame), centre_(centre), square_(radius * radius) {}
+                      double radius = std::numeric_limits<double>::infinity(), double blur = 0.0)
+      : axes_(frame.axes_), centre_(centre), square_(radius * radius) {
+    for (GridFrame::Axis& axis : axes_) axis.blur(blur);
+  }
 
   /// Calls `found(i, cell)` for points whose cell is certain, inside the grid, and whose distance
   /// from the ball's centre is less than its radius; `unsure(i)` for all others, a few in a million
@@ -63,7 +66,7 @@ class CellFinder {
         const Reals delta = point[axis] - centre_[axis];
         square += delta * delta;
       }
-      const Integers unsure = frame_.locate(point, cell) | ~(square < square_);
+      const Integers unsure = GridFrame::locate(axes_, point, cell) | ~(square < square_);
       std::memcpy(&block.unsure[i], &unsure, sizeof(unsure));
       for (int axis = 0; axis < 3; ++axis) {
         std::memcpy(&block.cell[axis][i], &cell[axis], sizeof(cell[axis]));
@@ -71,7 +74,7 @@ class CellFinder {
     }
   }
 
-  const GridFrame& frame_;
+  std::array<GridFrame::Axis, 3> axes_;
   Point centre_;
   double square_;
 };

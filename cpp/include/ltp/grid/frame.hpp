@@ -3,7 +3,9 @@
 // `GridFrame`: where a grid of cells lies in the world. The only place that rounds.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -85,6 +87,10 @@ class GridFrame {
  private:
   friend class CellFinder;
 
+  static constexpr int kBits = 20;  ///< of the fixed point, behind the point
+  static constexpr std::int64_t kOne = std::int64_t{1} << kBits;
+  static constexpr std::int64_t kZeroBits = 0x4330000000000000;  ///< of 2^52
+
   /// What it takes to round along one axis in fixed point: the upper bits are the cell, the lower
   /// ones say how near its faces are.
   struct Axis {
@@ -92,21 +98,25 @@ class GridFrame {
     double scale;        ///< fixed point units a metre
     double zero;         ///< 2^52 and half the doubt [units]
     std::int64_t last;   ///< the bits of the window's end
-    std::int64_t doubt;  ///< this near to a face, `round` decides [units]
-  };
+    std::int64_t doubt;  ///< twice the distance to a face from which on `round` decides [units]
 
-  static constexpr int kBits = 20;  ///< of the fixed point, behind the point
-  static constexpr std::int64_t kOne = std::int64_t{1} << kBits;
-  static constexpr std::int64_t kZeroBits = 0x4330000000000000;  ///< of 2^52
+    /// Doubts more: what is sure then is so for any point that is nearer than this [m].
+    void blur(double metres) {
+      const double more = std::min(std::ceil(metres * scale), 0.5 * kOne);
+      zero += more;
+      doubt += 2 * static_cast<std::int64_t>(more);
+    }
+  };
 
   /// The cell of nearly every point in the window, at a third of the price of `round`, for one
   /// point or, with vectors for numbers, for several. Negative where rounding could matter - next to
   /// a face, outside the window, NaN - so that the two never disagree.
   template <typename Integer, typename Real>
-  Integer locate(const std::array<Real, 3>& point, std::array<Integer, 3>& cell) const {
+  static Integer locate(const std::array<Axis, 3>& axes, const std::array<Real, 3>& point,
+                        std::array<Integer, 3>& cell) {
     Integer unsure{};  // its sign counts
     for (int i = 0; i < 3; ++i) {
-      const Axis& axis = axes_[i];
+      const Axis& axis = axes[i];
       // A double of 2^52 and more holds one unit a bit.
       const Real units = (point[i] - axis.origin) * axis.scale + axis.zero;
       Integer bits;
@@ -122,7 +132,7 @@ class GridFrame {
   }
   bool locate(const Point& point, Cell& cell) const {
     std::array<std::int64_t, 3> bits;
-    const bool sure = locate(std::array<double, 3>{point.x(), point.y(), point.z()}, bits) >= 0;
+    const bool sure = locate(axes_, std::array<double, 3>{point.x(), point.y(), point.z()}, bits) >= 0;
     cell = cell_in(bits[0], bits[1], bits[2]);
     return sure;
   }
