@@ -154,8 +154,8 @@ void map_carve_octomap(benchmark::State& state) {
     const bool known = map.log_odds_at(centre) != 0.0;
     ours += known;
     theirs += node != nullptr;
-    both += known && node != nullptr &&
-            (map.log_odds_at(centre) > 0.0) == tree.isNodeOccupied(node);
+    both +=
+        known && node != nullptr && (map.log_odds_at(centre) > 0.0) == tree.isNodeOccupied(node);
   }
   state.counters["ours_too"] = static_cast<double>(both) / static_cast<double>(ours);
   state.counters["of_theirs"] = static_cast<double>(both) / static_cast<double>(theirs);

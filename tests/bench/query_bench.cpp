@@ -52,7 +52,8 @@ Path segment_points() {
     const Eigen::RowVector3d from = ends.row(i / 100);
     const Eigen::RowVector3d towards = ends.row(9999 - i / 100) - from;
     const Eigen::RowVector3d at =
-        from + std::min<double>(static_cast<double>(i % 100), towards.norm()) * towards.normalized();
+        from +
+        std::min<double>(static_cast<double>(i % 100), towards.norm()) * towards.normalized();
     points.row(i) = at.cast<float>().cast<double>();
   }
   return points;

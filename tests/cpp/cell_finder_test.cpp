@@ -23,8 +23,8 @@ Cell cell_by_definition(const GridFrame& frame, const Point& point) {
   for (int axis = 0; axis < 3; ++axis) {
     const double number = std::floor(frame.lattice(point)[axis]);
     const bool near = std::abs(number) < kFarthestCell;
-    cell[axis] = near ? static_cast<int>(number) - frame.first()[axis]
-                      : std::numeric_limits<int>::min();
+    cell[axis] =
+        near ? static_cast<int>(number) - frame.first()[axis] : std::numeric_limits<int>::min();
   }
   return cell;
 }
@@ -39,8 +39,8 @@ int expect_cells(const GridFrame& frame, const std::vector<Point>& points) {
     EXPECT_EQ(frame.contains(point), inside) << point.transpose();
     EXPECT_EQ(frame.find(point), inside ? std::optional(expected.back()) : std::nullopt);
   }
-  const Eigen::Map<const Path> rows(points.front().data(),
-                                    static_cast<Eigen::Index>(points.size()), 3);
+  const Eigen::Map<const Path> rows(points.front().data(), static_cast<Eigen::Index>(points.size()),
+                                    3);
   Eigen::Index next = 0;
   int unsure = 0;
   CellFinder(frame).for_each(
@@ -107,14 +107,13 @@ TEST(CellFinder, IsRightOnAndNextToEveryFace) {
 
 TEST(CellFinder, IsSureOfNearlyEveryPointInTheWindow) {
   std::mt19937_64 random(2);
-  const GridFrame frame = GridFrame(Point(0, 0, 0), Point(2, 2, 4), {200, 200, 40})
-                              .shifted(Cell(3000, -20000, 100));
+  const GridFrame frame =
+      GridFrame(Point(0, 0, 0), Point(2, 2, 4), {200, 200, 40}).shifted(Cell(3000, -20000, 100));
   std::vector<Point> points;
   for (int i = 0; i < 100001; ++i) {
-    points.push_back(frame.origin() +
-                     (Point::Random().array() * 0.5 + 0.5)
-                         .matrix()
-                         .cwiseProduct(frame.upper() - frame.origin()));
+    points.push_back(frame.origin() + (Point::Random().array() * 0.5 + 0.5)
+                                          .matrix()
+                                          .cwiseProduct(frame.upper() - frame.origin()));
   }
   EXPECT_LT(expect_cells(frame, points), 10);
 }
@@ -126,17 +125,18 @@ TEST(CellFinder, LooksOnlyIntoItsBall) {
   const Eigen::Matrix<double, Eigen::Dynamic, 5, Eigen::RowMajor> table =
       12.0 * Eigen::Matrix<double, 999, 5, Eigen::RowMajor>::Random();
   int inside = 0;
-  CellFinder(frame, centre, 8.0).for_each(
-      table.middleCols<3>(1),
-      [&](Eigen::Index i, const Cell& cell) {
-        const Point point = table.row(i).segment<3>(1).transpose();
-        EXPECT_LT((point - centre).squaredNorm(), 64.0);
-        EXPECT_EQ(cell, frame.cell_of(point));
-        ++inside;
-      },
-      [&](Eigen::Index i) {
-        EXPECT_GE((table.row(i).segment<3>(1).transpose() - centre).squaredNorm(), 64.0);
-      });
+  CellFinder(frame, centre, 8.0)
+      .for_each(
+          table.middleCols<3>(1),
+          [&](Eigen::Index i, const Cell& cell) {
+            const Point point = table.row(i).segment<3>(1).transpose();
+            EXPECT_LT((point - centre).squaredNorm(), 64.0);
+            EXPECT_EQ(cell, frame.cell_of(point));
+            ++inside;
+          },
+          [&](Eigen::Index i) {
+            EXPECT_GE((table.row(i).segment<3>(1).transpose() - centre).squaredNorm(), 64.0);
+          });
   EXPECT_GT(inside, 100);
   EXPECT_LT(inside, 900);
   CellFinder(frame).for_each(

@@ -171,8 +171,10 @@ TEST(Inflation, RepairsTheCellsOfABoxAndNoOthers) {
 
 TEST(Inflation, RollsAsIfMadeAnew) {
   std::mt19937_64 random(6);
-  const Shape shapes[] = {{{2, 2, 4}, {24, 19, 12}}, {{2, 2, 4}, {9, 30, 70}},
-                          {{1, 1, 1}, {12, 7, 64}},  {{2, 2, 2}, {3, 4, 5}}};
+  const Shape shapes[] = {{{2, 2, 4}, {24, 19, 12}},
+                          {{2, 2, 4}, {9, 30, 70}},
+                          {{1, 1, 1}, {12, 7, 64}},
+                          {{2, 2, 2}, {3, 4, 5}}};
   int rolls = 0;
   for (const Shape& shape : shapes) {
     for (int radius = 0; radius <= 8; ++radius) {

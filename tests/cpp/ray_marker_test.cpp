@@ -43,7 +43,9 @@ TEST(RayMarker, MarksWhatTheExactWalkPasses) {
       const int n = dims[axis];
       a[axis] = n * unit(random);
       b[axis] = n * unit(random);
-      const auto hair = [&] { return std::pow(10.0, -4.0 - 13.0 * unit(random)) * (unit(random) - 0.5); };
+      const auto hair = [&] {
+        return std::pow(10.0, -4.0 - 13.0 * unit(random)) * (unit(random) - 0.5);
+      };
       if (kind == 1) {  // halves: edges and corners
         a[axis] = std::floor(2.0 * a[axis]) / 2.0;
         b[axis] = std::floor(2.0 * b[axis]) / 2.0;

@@ -25,17 +25,26 @@ Carver::Carver(const GridFrame& voxels, const ObstacleMapOptions& options)
 
 void Carver::follow(const Point& origin, const PathRef& ends) {
   const double range = options_.max_range;
+  const Point from = frame_.lattice(origin);
+  const bool from_inside = frame_.contains(origin);
   const auto follow_to = [&](Eigen::Index i) {
     Point end = ends.row(i).transpose();
-    const double length = (end - origin).norm();
-    if (!std::isfinite(length)) return;
-    if (length > range) end = origin + (range / length) * (end - origin);
-    const Cell voxel = frame_.cell_of(end);
-    if (frame_.contains(voxel)) {
-      if (followed_.blocked(voxel)) return;
-      followed_.set(voxel);
+    const double square = (end - origin).squaredNorm();
+    if (!std::isfinite(square)) return;
+    if (const double length = std::sqrt(square); length > range) {
+      end = origin + (range / length) * (end - origin);
     }
-    follow(origin, end, voxel);
+    const std::optional<Cell> voxel = frame_.find(end);
+    if (voxel) {
+      if (followed_.blocked(*voxel)) return;
+      followed_.set(*voxel);
+    }
+    const Point to = frame_.lattice(end);
+    if (voxel && from_inside) {
+      mark_passed(from, to, frame_.first(), passed_);
+    } else {
+      follow_outside(from, to);
+    }
   };
   // Most rays end where another one did, most of them at the maximum range or a hair beyond: not
   // far enough to matter for their voxel.
@@ -49,24 +58,21 @@ void Carver::follow(const Point& origin, const PathRef& ends) {
           follow_to);
 }
 
-void Carver::follow(const Point& origin, const Point& end, const Cell& last) {
-  // Lattice units count from the anchor, not from the window, so that a ray crosses the same voxels
-  // wherever the window is.
-  const Point a = frame_.lattice(origin);
-  const Point b = frame_.lattice(end);
-  if (frame_.contains(last) && frame_.contains(origin)) {
-    return mark_passed(a, b, frame_.first(), passed_);
-  }
+void Carver::follow_outside(const Point& from, const Point& to) {
   const Cell first = frame_.first();
   const Point low = first.cast<double>();
   const Point high = low + Point(frame_.nx(), frame_.ny(), frame_.nz());
-  const auto part = clip_segment<3>(a, b, low, high);
+  const auto part = clip_segment<3>(from, to, low, high);
   if (part.empty) return;
+  // Compared as numbers: one that is too far for an `int` is no voxel of the window.
+  const Point last = to.array().floor();
   walk_segment<3>(part.a, part.b, [&](const Cell& lattice, double t_in, double t_out) {
     const Cell voxel = lattice - first;
     // A voxel that the ray only touches was not passed; one in which it ends was not passed all the
     // way.
-    if (t_out > t_in && voxel != last && frame_.contains(voxel)) passed_.set(voxel);
+    if (t_out > t_in && lattice.cast<double>() != last && frame_.contains(voxel)) {
+      passed_.set(voxel);
+    }
     return true;
   });
 }

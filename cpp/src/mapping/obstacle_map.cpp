@@ -38,6 +38,18 @@ GridFrame voxel_frame(const ObstacleMapOptions& options, const Point& centre) {
   return at_origin.shifted(scaled(cells.shift_to_centre(centre), ratio));
 }
 
+/// Points that are not finite.
+std::int64_t count_invalid(const PathRef& points) {
+  if (points.outerStride() == 3) {
+    // Times zero, all that is finite vanishes, and nothing else does.
+    const Eigen::Map<const Eigen::ArrayXd> numbers(points.data(), points.size());
+    if ((numbers * 0.0).sum() == 0.0) return 0;
+  }
+  std::int64_t count = 0;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) count += !points.row(i).allFinite();
+  return count;
+}
+
 }  // namespace
 
 ObstacleMap::ObstacleMap(const ObstacleMapOptions& options, const Point& centre)
@@ -62,32 +74,38 @@ InsertStatistics ObstacleMap::insert(const Point& origin, const PathRef& hits,
     voxels_.set(voxel);
     statistics.new_cells += occupy_cell_of(voxel);
   };
-  CellFinder(voxels_.frame(), origin, range).for_each(
-      hits, [&](Eigen::Index, const Cell& voxel) { mark(voxel); },
-      [&](Eigen::Index i) {
-        const Point hit = hits.row(i).transpose();
-        if (!((hit - origin).squaredNorm() < range * range)) {  // NaN comes here, too
-          ++(hit.allFinite() ? statistics.out_of_range : statistics.invalid);
-        } else if (const std::optional<Cell> voxel = voxels_.frame().find(hit)) {
-          mark(*voxel);
-        } else {
-          ++statistics.outside;
-        }
-      });
-  for (Eigen::Index i = 0; i < misses.rows(); ++i) {
-    if (!misses.row(i).allFinite()) ++statistics.invalid;
-  }
+  CellFinder(voxels_.frame(), origin, range)
+      .for_each(
+          hits, [&](Eigen::Index, const Cell& voxel) { mark(voxel); },
+          [&](Eigen::Index i) {
+            const Point hit = hits.row(i).transpose();
+            if (!((hit - origin).squaredNorm() < range * range)) {  // NaN comes here, too
+              ++(hit.allFinite() ? statistics.out_of_range : statistics.invalid);
+            } else if (const std::optional<Cell> voxel = voxels_.frame().find(hit)) {
+              mark(*voxel);
+            } else {
+              ++statistics.outside;
+            }
+          });
+  statistics.invalid += count_invalid(misses);
   if (!carver_) return statistics;
 
+  Cell erased_low(occupied_.frame().nx(), occupied_.frame().ny(), occupied_.frame().nz());
+  Cell erased_high = Cell::Zero();
   carver_->insert(origin, hits, misses, voxels_, [&](const Cell& voxel, bool occupied) {
     if (occupied) {
       statistics.new_cells += occupy_cell_of(voxel);
     } else if (const Cell cell = cell_of_voxel(voxel); !any_voxel_in(cell)) {
       occupied_.set(cell, false);
       ++statistics.erased_cells;
+      erased_low = erased_low.cwiseMin(cell);
+      erased_high = erased_high.cwiseMax(Cell(cell.array() + 1));
     }
   });
-  if (statistics.erased_cells > 0) inflation_.apply(occupied_, blocked_);
+  if (statistics.erased_cells > 0) {
+    inflation_.repair(occupied_, erased_low - inflation_.reach(), erased_high + inflation_.reach(),
+                      blocked_);
+  }
   return statistics;
 }
 

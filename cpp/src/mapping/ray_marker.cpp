@@ -61,7 +61,7 @@ std::int64_t upper_half(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>(static_cast<Wide>(a) * b >> 64);
 }
 
-void set_between(std::uint64_t* column, int low, int high) {
+inline void set_between(std::uint64_t* column, int low, int high) {
   if (low >> 6 == high >> 6) {
     column[low >> 6] |= ~std::uint64_t{0} >> (63 - (high - low)) << (low & 63);
     return;
@@ -88,8 +88,7 @@ bool mark_columns(const Point& a, const Point& b, const Cell& first, OccupancyGr
   const GridFrame& frame = passed.frame();
   if (!frame.contains(Cell(Cell(x.from, y.from, z.from) - first))) return false;
   std::uint64_t* column = passed.column(x.from - first.x(), y.from - first.y());
-  const std::ptrdiff_t words_x =
-      std::ptrdiff_t{x.step()} * frame.ny() * passed.words_per_column();
+  const std::ptrdiff_t words_x = std::ptrdiff_t{x.step()} * frame.ny() * passed.words_per_column();
   const std::ptrdiff_t words_y = std::ptrdiff_t{y.step()} * passed.words_per_column();
   Clock at_x(x);
   Clock at_y(y);
@@ -98,9 +97,8 @@ bool mark_columns(const Point& a, const Point& b, const Cell& first, OccupancyGr
 
   // On a way that stays on its level, height does not matter.
   const bool level = z.crossings() == 0;
-  const std::int64_t start =
-      (std::int64_t{z.from - first.z()} << 32) +
-      static_cast<std::int64_t>(kLevel * (level ? 0.5 : a.z() - z.from));
+  const std::int64_t start = (std::int64_t{z.from - first.z()} << 32) +
+                             static_cast<std::int64_t>(kLevel * (level ? 0.5 : a.z() - z.from));
   const std::int64_t climb = level ? 0 : static_cast<std::int64_t>(z.delta * 0x1p38);
   constexpr std::int64_t kNear = static_cast<std::int64_t>(kDoubt * kLevel) + 4;
 
@@ -120,8 +118,9 @@ bool mark_columns(const Point& a, const Point& b, const Cell& first, OccupancyGr
     at_y.next += at_y.period & ~x_first;
   }
   const int last = z.to - first.z();
-  if (here < last) set_between(column, here, last - 1);
-  if (here > last) set_between(column, last + 1, here);
+  const int low = here < last ? here : last + 1;
+  const int high = here < last ? last - 1 : here;
+  if (low <= high) set_between(column, low, high);
   return true;
 }
 

@@ -37,7 +37,8 @@ class CellFinder {
         if (block.unsure[i] < 0) {
           unsure(begin + i);
         } else {
-          found(begin + i, GridFrame::cell_in(block.cell[0][i], block.cell[1][i], block.cell[2][i]));
+          found(begin + i,
+                GridFrame::cell_in(block.cell[0][i], block.cell[1][i], block.cell[2][i]));
         }
       }
     }

@@ -109,8 +109,8 @@ class GridFrame {
   };
 
   /// The cell of nearly every point in the window, at a third of the price of `round`, for one
-  /// point or, with vectors for numbers, for several. Negative where rounding could matter - next to
-  /// a face, outside the window, NaN - so that the two never disagree.
+  /// point or, with vectors for numbers, for several. Negative where rounding could matter - next
+  /// to a face, outside the window, NaN - so that the two never disagree.
   template <typename Integer, typename Real>
   static Integer locate(const std::array<Axis, 3>& axes, const std::array<Real, 3>& point,
                         std::array<Integer, 3>& cell) {
@@ -132,7 +132,8 @@ class GridFrame {
   }
   bool locate(const Point& point, Cell& cell) const {
     std::array<std::int64_t, 3> bits;
-    const bool sure = locate(axes_, std::array<double, 3>{point.x(), point.y(), point.z()}, bits) >= 0;
+    const bool sure =
+        locate(axes_, std::array<double, 3>{point.x(), point.y(), point.z()}, bits) >= 0;
     cell = cell_in(bits[0], bits[1], bits[2]);
     return sure;
   }

@@ -80,7 +80,8 @@ class Carver {
  private:
   /// Follows the rays to all ends but those in whose voxel another one ended.
   void follow(const Point& origin, const PathRef& ends);
-  void follow(const Point& origin, const Point& end, const Cell& last);
+  /// Follows a ray, given in lattice units, that is not all inside.
+  void follow_outside(const Point& from, const Point& to);
   /// A hit or a passing ray changes a voxel's log-odds; returns whether it is occupied now.
   bool vote(const Cell& voxel, bool hit) {
     float& log_odds = log_odds_[frame_.index(voxel)];

@@ -31,8 +31,8 @@ class Inflation {
   void repair(const OccupancyGrid& occupied, const Cell& low, const Cell& high,
               OccupancyGrid& blocked);
 
-  /// Makes `blocked` the inflation of `occupied` again, if it was before that was rolled by `shift`.
-  /// Only what lies near the window's faces is looked at.
+  /// Makes `blocked` the inflation of `occupied` again, if it was before that was rolled by
+  /// `shift`. Only what lies near the window's faces is looked at.
   void roll(const OccupancyGrid& occupied, const Cell& shift, OccupancyGrid& blocked);
 
   /// How far the inflation of a cell reaches along each axis [cells].
