@@ -9,6 +9,8 @@
 #include <openvdb/openvdb.h>
 #endif
 
+#include <cmath>
+
 #include "flight.hpp"
 #include "ltp/mapping/obstacle_map.hpp"
 
