@@ -1,21 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The ltp authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What happens ten times a second: scan, insert, move the window, decide.
+// What happens ten times a second: scan, and all of it: scan, insert, move the window, decide.
 #include <benchmark/benchmark.h>
 
-#include "ltp/mapping/obstacle_map.hpp"
 #include "ltp/navigation/local_trajectory_planner.hpp"
 #include "ltp/planning/planner.hpp"
 #include "town.hpp"
 
 namespace ltp::bench {
 namespace {
-
-Scan scan_at(const HeightSurface& town, const Lidar& lidar, const Point& position) {
-  Scan scan;
-  lidar.scan(town, pose(position), 0, scan);
-  return scan;
-}
 
 void scan(benchmark::State& state) {
   const HeightSurface town(heights());
@@ -26,50 +19,6 @@ void scan(benchmark::State& state) {
   state.counters["rays"] = static_cast<double>(lidar.options().pattern.size());
 }
 BENCHMARK(scan)->Unit(benchmark::kMicrosecond);
-
-/// A scan of what the map knows already (0) or of a place where it has never been (1).
-void insert(benchmark::State& state) {
-  const HeightSurface town(heights());
-  const Scan scan = scan_at(town, Lidar(), kMiddle);
-  ObstacleMap map({}, kMiddle);
-  for (auto _ : state) {
-    if (state.range(0) == 1) {
-      state.PauseTiming();
-      map.clear();
-      state.ResumeTiming();
-    }
-    map.insert(scan.origin, rows(scan.hits), rows(scan.misses));
-  }
-  state.counters["hits"] = static_cast<double>(scan.hits.size());
-}
-BENCHMARK(insert)->Arg(0)->Arg(1)->ArgName("fresh")->Unit(benchmark::kMicrosecond);
-
-/// One cell to and fro.
-void recentre(benchmark::State& state) {
-  const HeightSurface town(heights());
-  ObstacleMap map({}, kMiddle);
-  const Scan scan = scan_at(town, Lidar(), kMiddle);
-  map.insert(scan.origin, rows(scan.hits));
-  const double edge = map.options().cell.x();
-  bool away = false;
-  for (auto _ : state) {
-    away = !away;
-    map.recentre(kMiddle + Point(away ? edge : 0.0, 0, 0));
-  }
-}
-BENCHMARK(recentre)->Unit(benchmark::kMicrosecond);
-
-/// What a planning thread needs: a copy of the window.
-void snapshot(benchmark::State& state) {
-  const HeightSurface town(heights());
-  const OccupancyGrid grid = window(town);
-  OccupancyGrid copy = grid;
-  for (auto _ : state) {
-    copy = grid;
-    benchmark::DoNotOptimize(copy.words().data());
-  }
-}
-BENCHMARK(snapshot)->Unit(benchmark::kMicrosecond);
 
 /// A scan and a decision every 0.3 m along a street, as an aircraft would: sense, then update.
 void fly_a_street(benchmark::State& state) {

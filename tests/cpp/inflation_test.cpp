@@ -12,6 +12,8 @@
 #include <random>
 #include <vector>
 
+#include "allocations.hpp"
+
 namespace ltp {
 namespace {
 
@@ -81,7 +83,7 @@ TEST(Inflation, EqualsTheDistanceBetweenEveryTwoBoxes) {
             << radius;
 
         // One cell after the other gives the same.
-        const Inflation inflation(frame, radius);
+        Inflation inflation(frame, radius);
         OccupancyGrid grown(frame);
         for (const Cell& cell : cells_of(occupied)) inflation.add(cell, grown);
         EXPECT_TRUE(grown == expected) << "radius " << radius;
@@ -135,6 +137,76 @@ TEST(Inflation, ApplyForgetsWhatWasBlockedBefore) {
   EXPECT_TRUE(blocked == slow_inflation(occupied, 1.5));
   inflation.apply(OccupancyGrid(frame), blocked);
   EXPECT_EQ(blocked.count(), 0);
+}
+
+TEST(Inflation, RepairsTheCellsOfABoxAndNoOthers) {
+  std::mt19937_64 random(5);
+  int repaired = 0;
+  for (int round = 0; round < 400; ++round) {
+    const Shape& shape = kShapes[round % 8];
+    const GridFrame frame(Point(0, 0, 0), shape.cell, shape.dims);
+    const OccupancyGrid occupied = random_grid(frame, 5, random);
+    const OccupancyGrid before = random_grid(frame, 100, random);
+    Inflation inflation(frame, 0.5 * static_cast<double>(random() % 8));
+    const OccupancyGrid expected = inflate(occupied, inflation.radius());
+    Cell low, high;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int n = shape.dims[axis];
+      low[axis] = static_cast<int>(random() % (n + 4)) - 2;
+      high[axis] = low[axis] + static_cast<int>(random() % (n + 2)) - 1;
+    }
+    OccupancyGrid blocked = before;
+    inflation.repair(occupied, low, high, blocked);
+    for (std::int64_t i = 0; i < frame.size(); ++i) {
+      const Cell cell = frame.cell_at(i);
+      const bool in_box =
+          (cell.array() >= low.array()).all() && (cell.array() < high.array()).all();
+      ASSERT_EQ(blocked.blocked(cell), (in_box ? expected : before).blocked(cell))
+          << "round " << round << ", cell " << cell.transpose();
+      repaired += in_box;
+    }
+  }
+  EXPECT_GT(repaired, 10000);
+}
+
+TEST(Inflation, RollsAsIfMadeAnew) {
+  std::mt19937_64 random(6);
+  const Shape shapes[] = {{{2, 2, 4}, {24, 19, 12}},
+                          {{2, 2, 4}, {9, 30, 70}},
+                          {{1, 1, 1}, {12, 7, 64}},
+                          {{2, 2, 2}, {3, 4, 5}}};
+  int rolls = 0;
+  for (const Shape& shape : shapes) {
+    for (int radius = 0; radius <= 8; ++radius) {
+      const GridFrame frame(Point(-7, 9, 2), shape.cell, shape.dims);
+      Inflation inflation(frame, radius);
+      OccupancyGrid occupied(frame);
+      OccupancyGrid blocked(frame);
+      for (int step = 0; step < 60; ++step) {
+        for (int i = 0; i < 6; ++i) {
+          const Cell cell = frame.cell_at(static_cast<std::int64_t>(random() % frame.size()));
+          occupied.set(cell);
+          inflation.add(cell, blocked);
+        }
+        // By one cell or a few, along one axis or several; now and then out of the window.
+        Cell shift;
+        const int most = step % 15 == 14 ? 40 : step % 3 == 2 ? 6 : 1;
+        for (int axis = 0; axis < 3; ++axis) {
+          const bool still = random() % 2 == 0;
+          shift[axis] = still ? 0 : static_cast<int>(random() % (2 * most + 1)) - most;
+        }
+        const std::int64_t before = test::allocations();
+        occupied.roll(shift);
+        inflation.roll(occupied, shift, blocked);
+        ASSERT_EQ(test::allocations() - before, 0);
+        ASSERT_TRUE(blocked == inflate(occupied, radius))
+            << "dims.z " << shape.dims[2] << ", radius " << radius << ", shift "
+            << shift.transpose();
+        ++rolls;
+      }
+    }
+  }
+  EXPECT_EQ(rolls, 4 * 9 * 60);
 }
 
 TEST(Inflation, RefusesARadiusThatIsNone) {

@@ -175,9 +175,7 @@ void bind_grid(py::module_& m) {
           "blocked_at",
           [](const ltp::OccupancyGrid& grid, const ltp::PathRef& points) {
             py::array_t<bool> out(points.rows());
-            for (Eigen::Index i = 0; i < points.rows(); ++i) {
-              out.mutable_at(i) = grid.blocked_at(points.row(i).transpose());
-            }
+            grid.blocked_at(points, out.mutable_data());
             return out;
           },
           "points"_a,

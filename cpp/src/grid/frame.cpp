@@ -29,11 +29,31 @@ GridFrame::GridFrame(const Point& origin, const Point& cell, const std::array<in
     text << dims[0] << " x " << dims[1] << " x " << dims[2];
     check::fail("dims", text.str(), "at most 2^31 - 1 cells in all");
   }
+  prepare_axes();
+}
+
+void GridFrame::prepare_axes() {
+  const Point low = origin();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double scale = kOne / cell_[axis];
+    // Inside the window, `round` and `locate` are within 2^-53 (3 * 2^30 + 3 * 2^31 + 4 |origin| /
+    // edge) cells of the truth: lattice coordinates are below 2^30, a window at most 2^31 cells
+    // long. That is 1.1 units of the fixed point, half a one that `to_fixed` rounds, and what the
+    // origin's distance adds.
+    const double doubt = 4.0 + 1e-15 * std::abs(low[axis]) * scale;
+    // Where lattice coordinates saturate inside the window, and for edges that have no inverse,
+    // every point is in doubt.
+    const double farthest = std::abs<double>(first_[axis]) + dims_[axis];
+    const bool usable = farthest < kFarthestCell && doubt < 0.5 * kOne;
+    const std::int64_t half = usable ? static_cast<std::int64_t>(doubt) : kOne / 2;
+    axes_[axis] = {low[axis], scale, 0x1p52 + static_cast<double>(half),
+                   kZeroBits + dims_[axis] * kOne - 1, 2 * half};
+  }
 }
 
 Point GridFrame::upper() const { return origin() + Point(nx(), ny(), nz()).cwiseProduct(cell_); }
 
-Cell GridFrame::cell_of(const Point& point) const {
+Cell GridFrame::round(const Point& point) const {
   const Point on_lattice = lattice(point);
   Cell cell;
   for (int axis = 0; axis < 3; ++axis) {
@@ -60,6 +80,7 @@ GridFrame GridFrame::shifted(const Cell& by) const {
     }
     moved.first_[axis] = static_cast<int>(first);
   }
+  moved.prepare_axes();
   return moved;
 }
 

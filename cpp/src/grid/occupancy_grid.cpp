@@ -8,18 +8,14 @@
 #include <cstring>
 
 #include "ltp/geometry/check.hpp"
+#include "ltp/grid/bits.hpp"
+#include "ltp/grid/cell_finder.hpp"
 #include "ltp/grid/ray_walk.hpp"
 
 namespace ltp {
 namespace {
 
 int popcount(std::uint64_t word) { return __builtin_popcountll(word); }
-
-/// The bits of word `w` of a column that are levels of a frame with `nz` levels.
-std::uint64_t level_mask(int nz, int w) {
-  const int left = nz - 64 * w;
-  return left >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << left) - 1;
-}
 
 /// Moves the levels of one column down by `dz` (up if negative).
 void shift_levels(std::uint64_t* column, int words, int nz, int dz) {
@@ -36,7 +32,7 @@ void shift_levels(std::uint64_t* column, int words, int nz, int dz) {
     for (int w = words - 1; w >= 0; --w) {
       std::uint64_t value = word(w - by_words) << by_bits;
       if (by_bits > 0) value |= word(w - by_words - 1) >> (64 - by_bits);
-      column[w] = value & level_mask(nz, w);
+      column[w] = value & bits_between(w, 0, nz - 1);
     }
   }
 }
@@ -48,9 +44,10 @@ OccupancyGrid::OccupancyGrid(const GridFrame& frame)
       words_per_column_((frame.nz() - 1) / 64 + 1),
       words_(static_cast<std::size_t>(frame.nx()) * frame.ny() * words_per_column_) {}
 
-bool OccupancyGrid::blocked_at(const Point& point) const {
-  const Cell cell = frame_.cell_of(point);
-  return frame_.contains(cell) && blocked(cell);
+void OccupancyGrid::blocked_at(const PathRef& points, bool* out) const {
+  CellFinder(frame_).for_each(
+      points, [&](Eigen::Index i, const Cell& cell) { out[i] = blocked(cell); },
+      [&](Eigen::Index i) { out[i] = blocked_at(Point(points.row(i).transpose())); });
 }
 
 void OccupancyGrid::set(const Cell& cell, bool blocked) {
@@ -101,8 +98,12 @@ void OccupancyGrid::roll(const Cell& shift) {
     }
   }
   if (shift.z() != 0) {
-    for (std::int64_t c = 0; c < nx * ny; ++c) {
-      shift_levels(words_.data() + c * words_per_column_, words_per_column_, nz, shift.z());
+    const std::int64_t end = static_cast<std::int64_t>(words_.size());
+    std::int64_t next = next_in_use(words_.data(), 0, end);
+    while (next < end) {
+      const std::int64_t begin = next - next % words_per_column_;
+      shift_levels(words_.data() + begin, words_per_column_, nz, shift.z());
+      next = next_in_use(words_.data(), begin + words_per_column_, end);
     }
   }
 }

@@ -7,75 +7,74 @@
 
 #include "ltp/grid/cell_finder.hpp"
 #include "ltp/grid/ray_walk.hpp"
+#include "ltp/mapping/ray_marker.hpp"
 
 namespace ltp {
 
 Carver::Carver(const GridFrame& voxels, const ObstacleMapOptions& options)
     : frame_(voxels),
       options_(options),
+      hit_log_odds_(static_cast<float>(options.hit_log_odds)),
+      miss_log_odds_(static_cast<float>(options.miss_log_odds)),
+      min_log_odds_(static_cast<float>(options.min_log_odds)),
+      max_log_odds_(static_cast<float>(options.max_log_odds)),
       log_odds_(static_cast<std::size_t>(voxels.size())),
       hit_(voxels),
       passed_(voxels),
       followed_(voxels) {}
 
-void Carver::cast_votes(const Point& origin, const PathRef& hits, const PathRef& misses) {
-  const CellFinder voxel_of(frame_);
-  const double range = hit_range(options_);
-  // All hits first: rays must not pass what another ray hit.
-  for (Eigen::Index i = 0; i < hits.rows(); ++i) {
-    const Point hit = hits.row(i).transpose();
-    if (!((hit - origin).squaredNorm() < range * range)) continue;
-    const Cell voxel = voxel_of(hit);
-    if (frame_.contains(voxel)) hit_.set(voxel);
-  }
-  for (const PathRef* ends : {&hits, &misses}) {
-    for (Eigen::Index i = 0; i < ends->rows(); ++i) {
-      Point end = ends->row(i).transpose();
-      const double length = (end - origin).norm();
-      if (!std::isfinite(length)) continue;
-      if (length > options_.max_range) {
-        end = origin + (options_.max_range / length) * (end - origin);
-      }
-      const Cell voxel = voxel_of(end);
-      if (frame_.contains(voxel)) {
-        if (followed_.blocked(voxel)) continue;
-        followed_.set(voxel);
-      }
-      follow(origin, end, voxel);
+void Carver::follow(const Point& origin, const PathRef& ends) {
+  const double range = options_.max_range;
+  const Point from = frame_.lattice(origin);
+  const bool from_inside = frame_.contains(origin);
+  const auto follow_to = [&](Eigen::Index i) {
+    Point end = ends.row(i).transpose();
+    const double square = (end - origin).squaredNorm();
+    if (!std::isfinite(square)) return;
+    if (const double length = std::sqrt(square); length > range) {
+      end = origin + (range / length) * (end - origin);
     }
-  }
+    const std::optional<Cell> voxel = frame_.find(end);
+    if (voxel) {
+      if (followed_.blocked(*voxel)) return;
+      followed_.set(*voxel);
+    }
+    const Point to = frame_.lattice(end);
+    if (voxel && from_inside) {
+      mark_passed(from, to, frame_.first(), passed_);
+    } else {
+      follow_outside(from, to);
+    }
+  };
+  // Most rays end where another one did, most of them at the maximum range or a hair beyond: not
+  // far enough to matter for their voxel.
+  constexpr double kHair = 1e-6;
+  CellFinder(frame_, origin, range * (1.0 + kHair), 2.0 * kHair * range)
+      .for_each(
+          ends,
+          [&](Eigen::Index i, const Cell& voxel) {
+            if (!followed_.blocked(voxel)) follow_to(i);
+          },
+          follow_to);
 }
 
-void Carver::follow(const Point& origin, const Point& end, const Cell& last) {
-  // Lattice units count from the anchor, not from the window, so that a ray crosses the same voxels
-  // wherever the window is.
+void Carver::follow_outside(const Point& from, const Point& to) {
   const Cell first = frame_.first();
   const Point low = first.cast<double>();
   const Point high = low + Point(frame_.nx(), frame_.ny(), frame_.nz());
-  const auto part = clip_segment<3>(frame_.lattice(origin), frame_.lattice(end), low, high);
+  const auto part = clip_segment<3>(from, to, low, high);
   if (part.empty) return;
+  // Compared as numbers: one that is too far for an `int` is no voxel of the window.
+  const Point last = to.array().floor();
   walk_segment<3>(part.a, part.b, [&](const Cell& lattice, double t_in, double t_out) {
     const Cell voxel = lattice - first;
     // A voxel that the ray only touches was not passed; one in which it ends was not passed all the
     // way.
-    if (t_out > t_in && voxel != last && frame_.contains(voxel) && !hit_.blocked(voxel)) {
+    if (t_out > t_in && lattice.cast<double>() != last && frame_.contains(voxel)) {
       passed_.set(voxel);
     }
     return true;
   });
-}
-
-bool Carver::update(const Cell& voxel, bool hit) {
-  float& log_odds = log_odds_[frame_.index(voxel)];
-  if (hit) {
-    const float before = options_.keep_hits ? std::max(log_odds, 0.0f) : log_odds;
-    log_odds = std::min(before + static_cast<float>(options_.hit_log_odds),
-                        static_cast<float>(options_.max_log_odds));
-  } else if (!(options_.keep_hits && log_odds > 0.0f)) {
-    log_odds = std::max(log_odds + static_cast<float>(options_.miss_log_odds),
-                        static_cast<float>(options_.min_log_odds));
-  }
-  return log_odds > 0.0f;
 }
 
 void Carver::set_log_odds(const Cell& voxel, double value) {

@@ -38,6 +38,18 @@ GridFrame voxel_frame(const ObstacleMapOptions& options, const Point& centre) {
   return at_origin.shifted(scaled(cells.shift_to_centre(centre), ratio));
 }
 
+/// Points that are not finite.
+std::int64_t count_invalid(const PathRef& points) {
+  if (points.outerStride() == 3) {
+    // Times zero, all that is finite vanishes, and nothing else does.
+    const Eigen::Map<const Eigen::ArrayXd> numbers(points.data(), points.size());
+    if ((numbers * 0.0).sum() == 0.0) return 0;
+  }
+  std::int64_t count = 0;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) count += !points.row(i).allFinite();
+  return count;
+}
+
 }  // namespace
 
 ObstacleMap::ObstacleMap(const ObstacleMapOptions& options, const Point& centre)
@@ -54,38 +66,46 @@ InsertStatistics ObstacleMap::insert(const Point& origin, const PathRef& hits,
                                      const PathRef& misses) {
   check::finite("origin", origin);
   InsertStatistics statistics;
-  const CellFinder voxel_of(voxels_.frame());
   const double range = Carver::hit_range(options_);
-  for (Eigen::Index i = 0; i < hits.rows(); ++i) {
-    const Point hit = hits.row(i).transpose();
-    if (!((hit - origin).squaredNorm() < range * range)) {  // NaN comes here, too
-      ++(hit.allFinite() ? statistics.out_of_range : statistics.invalid);
-      continue;
-    }
-    const Cell voxel = voxel_of(hit);
-    if (!voxels_.frame().contains(voxel)) {
-      ++statistics.outside;
-      continue;
-    }
+  const auto mark = [&](const Cell& voxel) {
     ++statistics.marked;
-    if (carver_ || voxels_.blocked(voxel)) continue;
+    if (carver_) return carver_->mark(voxel);
+    if (voxels_.blocked(voxel)) return;
     voxels_.set(voxel);
     statistics.new_cells += occupy_cell_of(voxel);
-  }
-  for (Eigen::Index i = 0; i < misses.rows(); ++i) {
-    if (!misses.row(i).allFinite()) ++statistics.invalid;
-  }
+  };
+  CellFinder(voxels_.frame(), origin, range)
+      .for_each(
+          hits, [&](Eigen::Index, const Cell& voxel) { mark(voxel); },
+          [&](Eigen::Index i) {
+            const Point hit = hits.row(i).transpose();
+            if (!((hit - origin).squaredNorm() < range * range)) {  // NaN comes here, too
+              ++(hit.allFinite() ? statistics.out_of_range : statistics.invalid);
+            } else if (const std::optional<Cell> voxel = voxels_.frame().find(hit)) {
+              mark(*voxel);
+            } else {
+              ++statistics.outside;
+            }
+          });
+  statistics.invalid += count_invalid(misses);
   if (!carver_) return statistics;
 
+  Cell erased_low(occupied_.frame().nx(), occupied_.frame().ny(), occupied_.frame().nz());
+  Cell erased_high = Cell::Zero();
   carver_->insert(origin, hits, misses, voxels_, [&](const Cell& voxel, bool occupied) {
     if (occupied) {
       statistics.new_cells += occupy_cell_of(voxel);
     } else if (const Cell cell = cell_of_voxel(voxel); !any_voxel_in(cell)) {
       occupied_.set(cell, false);
       ++statistics.erased_cells;
+      erased_low = erased_low.cwiseMin(cell);
+      erased_high = erased_high.cwiseMax(Cell(cell.array() + 1));
     }
   });
-  if (statistics.erased_cells > 0) inflation_.apply(occupied_, blocked_);
+  if (statistics.erased_cells > 0) {
+    inflation_.repair(occupied_, erased_low - inflation_.reach(), erased_high + inflation_.reach(),
+                      blocked_);
+  }
   return statistics;
 }
 
@@ -97,10 +117,8 @@ Cell ObstacleMap::recentre(const Point& centre) {
   const Cell voxel_shift = scaled(shift, ratio_);
   voxels_.roll(voxel_shift);  // first: it is the one that can throw
   occupied_.roll(shift);
-  blocked_.roll(shift);
+  inflation_.roll(occupied_, shift, blocked_);
   if (carver_) carver_->roll(voxel_shift);
-  // Cells that left take their inflation with them: once or twice a second, so made anew.
-  inflation_.apply(occupied_, blocked_);
   return shift;
 }
 

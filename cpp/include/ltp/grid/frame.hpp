@@ -3,8 +3,12 @@
 // `GridFrame`: where a grid of cells lies in the world. The only place that rounds.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <cstring>
+#include <optional>
 
 #include "ltp/geometry/types.hpp"
 
@@ -40,7 +44,18 @@ class GridFrame {
 
   /// The cell that holds a point; may lie outside the grid. Far or non-finite points saturate
   /// outside.
-  Cell cell_of(const Point& point) const;
+  Cell cell_of(const Point& point) const {
+    Cell cell;
+    return locate(point, cell) ? cell : round(point);
+  }
+  /// The same, but nothing for a point outside the grid.
+  std::optional<Cell> find(const Point& point) const {
+    Cell cell;
+    if (locate(point, cell)) return cell;
+    cell = round(point);
+    if (contains(cell)) return cell;
+    return std::nullopt;
+  }
   /// A point in cells from the lattice's anchor. Rounded down, less `first()`, it is `cell_of`.
   Point lattice(const Point& point) const { return (point - anchor_).cwiseQuotient(cell_); }
   Point centre(const Cell& cell) const {
@@ -52,7 +67,7 @@ class GridFrame {
            static_cast<unsigned>(cell.y()) < static_cast<unsigned>(dims_[1]) &&
            static_cast<unsigned>(cell.z()) < static_cast<unsigned>(dims_[2]);
   }
-  bool contains(const Point& point) const { return contains(cell_of(point)); }
+  bool contains(const Point& point) const { return find(point).has_value(); }
 
   /// Linear index, z fastest: (ix * ny + iy) * nz + iz. The cell must be inside.
   std::int64_t index(const Cell& cell) const {
@@ -70,10 +85,67 @@ class GridFrame {
   bool operator!=(const GridFrame& other) const { return !(*this == other); }
 
  private:
+  friend class CellFinder;
+
+  static constexpr int kBits = 20;  ///< of the fixed point, behind the point
+  static constexpr std::int64_t kOne = std::int64_t{1} << kBits;
+  static constexpr std::int64_t kZeroBits = 0x4330000000000000;  ///< of 2^52
+
+  /// What it takes to round along one axis in fixed point: the upper bits are the cell, the lower
+  /// ones say how near its faces are.
+  struct Axis {
+    double origin;       ///< of the window [m]
+    double scale;        ///< fixed point units a metre
+    double zero;         ///< 2^52 and half the doubt [units]
+    std::int64_t last;   ///< the bits of the window's end
+    std::int64_t doubt;  ///< twice the distance to a face from which on `round` decides [units]
+
+    /// Doubts more: what is sure then is so for any point that is nearer than this [m].
+    void blur(double metres) {
+      const double more = std::min(std::ceil(metres * scale), 0.5 * kOne);
+      zero += more;
+      doubt += 2 * static_cast<std::int64_t>(more);
+    }
+  };
+
+  /// The cell of nearly every point in the window, at a third of the price of `round`, for one
+  /// point or, with vectors for numbers, for several. Negative where rounding could matter - next
+  /// to a face, outside the window, NaN - so that the two never disagree.
+  template <typename Integer, typename Real>
+  static Integer locate(const std::array<Axis, 3>& axes, const std::array<Real, 3>& point,
+                        std::array<Integer, 3>& cell) {
+    Integer unsure{};  // its sign counts
+    for (int i = 0; i < 3; ++i) {
+      const Axis& axis = axes[i];
+      // A double of 2^52 and more holds one unit a bit.
+      const Real units = (point[i] - axis.origin) * axis.scale + axis.zero;
+      Integer bits;
+      std::memcpy(&bits, &units, sizeof(bits));
+      unsure |= (bits - kZeroBits) | (axis.last - bits) | ((bits & (kOne - 1)) - axis.doubt);
+      cell[i] = bits;
+    }
+    return unsure;
+  }
+  static Cell cell_in(std::int64_t x, std::int64_t y, std::int64_t z) {
+    return Cell(static_cast<int>(x >> kBits), static_cast<int>(y >> kBits),
+                static_cast<int>(z >> kBits));
+  }
+  bool locate(const Point& point, Cell& cell) const {
+    std::array<std::int64_t, 3> bits;
+    const bool sure =
+        locate(axes_, std::array<double, 3>{point.x(), point.y(), point.z()}, bits) >= 0;
+    cell = cell_in(bits[0], bits[1], bits[2]);
+    return sure;
+  }
+  /// Rounds down what was divided: slow, and right by definition.
+  Cell round(const Point& point) const;
+  void prepare_axes();
+
   Point anchor_;
   Point cell_;
   std::array<int, 3> dims_;
   Cell first_ = Cell::Zero();  ///< the window's first cell, counted on the lattice from the anchor
+  std::array<Axis, 3> axes_;   ///< follows from the others
 };
 
 }  // namespace ltp

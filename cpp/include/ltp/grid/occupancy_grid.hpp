@@ -29,7 +29,12 @@ class OccupancyGrid {
     return column(cell.x(), cell.y())[cell.z() >> 6] >> (cell.z() & 63) & 1u;
   }
   /// Whether the cell that holds a point is blocked; false outside the frame.
-  bool blocked_at(const Point& point) const;
+  bool blocked_at(const Point& point) const {
+    const std::optional<Cell> cell = frame_.find(point);
+    return cell && blocked(*cell);
+  }
+  /// The same for many points, shape (N, 3); `out` holds N answers.
+  void blocked_at(const PathRef& points, bool* out) const;
   void set(const Cell& cell, bool blocked = true);
   void clear();
   std::int64_t count() const;  ///< blocked cells

@@ -4,6 +4,8 @@
 // passed.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -28,29 +30,43 @@ class Carver {
     return options.max_range * (1.0 - 1e-9);
   }
 
-  /// Takes in one scan: `hits` within the maximum range mark their voxels, all other finite points
-  /// only tell what their rays passed. `changed(voxel, occupied)` is called, after the grid was
-  /// updated, for each voxel of `occupied` that changed: first for those that a hit made occupied,
-  /// then for those that rays freed.
+  /// A hit of the next scan, nearer than `hit_range`.
+  void mark(const Cell& voxel) { hit_.set(voxel); }
+
+  /// Takes in one scan, whose hits are marked: all finite points tell what their rays passed.
+  /// `changed(voxel, occupied)` is called, after the grid was updated, for each voxel of `occupied`
+  /// that changed: first for those that a hit made occupied, then for those that rays freed.
   template <typename Changed>
   void insert(const Point& origin, const PathRef& hits, const PathRef& misses,
               OccupancyGrid& occupied, Changed&& changed) {
-    cast_votes(origin, hits, misses);
-    for_each_vote(hit_, [&](const Cell& voxel) {
-      if (update(voxel, true) && !occupied.blocked(voxel)) {
-        occupied.set(voxel);
-        changed(voxel, true);
+    follow(origin, hits);
+    follow(origin, misses);
+    for_each_word(origin, [&](int ix, int iy, int w) {
+      followed_.column(ix, iy)[w] = 0;
+      std::uint64_t& hit = hit_.column(ix, iy)[w];
+      std::uint64_t& here = occupied.column(ix, iy)[w];
+      passed_.column(ix, iy)[w] &= ~(options_.keep_hits ? hit | here : hit);
+      for (; hit != 0; hit &= hit - 1) {
+        const Cell voxel(ix, iy, 64 * w + __builtin_ctzll(hit));
+        const std::uint64_t bit = hit & -hit;
+        if (vote(voxel, true) && (here & bit) == 0) {
+          here |= bit;
+          changed(voxel, true);
+        }
       }
     });
-    for_each_vote(passed_, [&](const Cell& voxel) {
-      if (!update(voxel, false) && occupied.blocked(voxel)) {
-        occupied.set(voxel, false);
-        changed(voxel, false);
+    for_each_word(origin, [&](int ix, int iy, int w) {
+      std::uint64_t& passed = passed_.column(ix, iy)[w];
+      std::uint64_t& here = occupied.column(ix, iy)[w];
+      for (; passed != 0; passed &= passed - 1) {
+        const Cell voxel(ix, iy, 64 * w + __builtin_ctzll(passed));
+        const std::uint64_t bit = passed & -passed;
+        if (!vote(voxel, false) && (here & bit) != 0) {
+          here &= ~bit;
+          changed(voxel, false);
+        }
       }
     });
-    hit_.clear();
-    passed_.clear();
-    followed_.clear();
   }
 
   /// 0 where nothing is known.
@@ -62,32 +78,46 @@ class Carver {
   void clear();
 
  private:
-  void cast_votes(const Point& origin, const PathRef& hits, const PathRef& misses);
-  void follow(const Point& origin, const Point& end, const Cell& last);
-  bool update(const Cell& voxel, bool hit);  ///< whether the voxel is occupied now
+  /// Follows the rays to all ends but those in whose voxel another one ended.
+  void follow(const Point& origin, const PathRef& ends);
+  /// Follows a ray, given in lattice units, that is not all inside.
+  void follow_outside(const Point& from, const Point& to);
+  /// A hit or a passing ray changes a voxel's log-odds; returns whether it is occupied now.
+  bool vote(const Cell& voxel, bool hit) {
+    float& log_odds = log_odds_[frame_.index(voxel)];
+    if (hit) {
+      const float before = options_.keep_hits ? std::max(log_odds, 0.0f) : log_odds;
+      log_odds = std::min(before + hit_log_odds_, max_log_odds_);
+    } else {
+      log_odds = std::max(log_odds + miss_log_odds_, min_log_odds_);
+    }
+    return log_odds > 0.0f;
+  }
 
+  /// Calls `visit(ix, iy, w)` for all words of columns that the rays of a scan can reach.
   template <typename Visitor>
-  static void for_each_vote(const OccupancyGrid& votes, Visitor&& visit) {
-    const GridFrame& frame = votes.frame();
-    for (int ix = 0; ix < frame.nx(); ++ix) {
-      for (int iy = 0; iy < frame.ny(); ++iy) {
-        for (int w = 0; w < votes.words_per_column(); ++w) {
-          for (std::uint64_t bits = votes.column(ix, iy)[w]; bits != 0; bits &= bits - 1) {
-            visit(Cell(ix, iy, 64 * w + __builtin_ctzll(bits)));
-          }
-        }
+  void for_each_word(const Point& origin, Visitor&& visit) const {
+    const auto column = [&](int axis, double sign) {
+      const double from_low = origin[axis] + sign * options_.max_range - frame_.origin()[axis];
+      const double reached = std::floor(from_low / frame_.cell()[axis]) + sign;
+      return static_cast<int>(std::clamp<double>(reached, 0, frame_.dims()[axis] - 1));
+    };
+    for (int ix = column(0, -1.0); ix <= column(0, 1.0); ++ix) {
+      for (int iy = column(1, -1.0); iy <= column(1, 1.0); ++iy) {
+        for (int w = 0; w < hit_.words_per_column(); ++w) visit(ix, iy, w);
       }
     }
   }
 
   GridFrame frame_;
   ObstacleMapOptions options_;
+  // As floats.
+  float hit_log_odds_, miss_log_odds_, min_log_odds_, max_log_odds_;
   std::vector<float> log_odds_;  ///< [index in frame_]
   // What one scan says; empty between scans, so they need not roll.
   OccupancyGrid hit_;
   OccupancyGrid passed_;
-  OccupancyGrid
-      followed_;  ///< voxels in which a ray without a hit ended, or the first ray that hit
+  OccupancyGrid followed_;  ///< voxels in which a ray ended
 };
 
 }  // namespace ltp

@@ -21,23 +21,45 @@ class Inflation {
   double radius() const { return radius_; }
 
   /// Blocks in `blocked` the surroundings of one occupied cell, which must be inside.
-  void add(const Cell& occupied, OccupancyGrid& blocked) const;
+  void add(const Cell& occupied, OccupancyGrid& blocked);
 
   /// Makes `blocked` the inflation of `occupied`, whatever it was before. The two must share a
   /// frame.
   void apply(const OccupancyGrid& occupied, OccupancyGrid& blocked);
 
+  /// The same for the cells of `blocked` in [low, high) only, as far as these are inside.
+  void repair(const OccupancyGrid& occupied, const Cell& low, const Cell& high,
+              OccupancyGrid& blocked);
+
+  /// Makes `blocked` the inflation of `occupied` again, if it was before that was rolled by
+  /// `shift`. Only what lies near the window's faces is looked at.
+  void roll(const OccupancyGrid& occupied, const Cell& shift, OccupancyGrid& blocked);
+
+  /// How far the inflation of a cell reaches along each axis [cells].
+  const Cell& reach() const { return reach_; }
+
  private:
-  /// The levels within reach in one of the surrounding columns: dz in [-reach, reach].
-  struct Column {
-    int dx;
-    int dy;
+  /// The surrounding columns in which the same levels are within reach: dz in [-reach, reach].
+  struct Ring {
+    struct Column {
+      int dx;
+      int dy;
+      int words;  ///< from column to column
+    };
     int reach;
+    std::vector<Column> columns;
   };
 
+  /// Dilates the levels in `dilated_` into the columns round (ix, iy), within [low, high) and the
+  /// levels of `inside_`.
+  void spread(int ix, int iy, const Cell& low, const Cell& high, OccupancyGrid& blocked);
+
   double radius_;
-  std::vector<Column> columns_;         ///< ascending by reach
-  std::vector<std::uint64_t> dilated_;  ///< scratch: one column of bits
+  Cell reach_ = Cell::Zero();
+  std::vector<Ring> rings_;  ///< ascending by reach
+  // Scratch, one column of bits each.
+  std::vector<std::uint64_t> dilated_;
+  std::vector<std::uint64_t> inside_;
 };
 
 /// The inflation of a whole grid.
