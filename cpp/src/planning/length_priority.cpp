@@ -18,13 +18,28 @@ Plan LengthPriorityPlanner::plan(const Scene& scene, const Query& query) {
   const Stopwatch watch;
   Plan plan;
   const auto [refused, cells] = resolve(scene, query);
-  plan.status = refused ? *refused : search(scene, query, cells, plan.stats);
+  if (refused) {
+    plan.status = *refused;
+  } else if (heuristic_weight_ == 0.0 && options_.weights.priority == 0.0) {
+    plan.status = dijkstra(scene, query, cells, plan.stats);
+  } else {
+    plan.status = search(scene, query, cells, plan.stats);
+  }
   if (plan.status == PlanStatus::Found) {
-    Path path = path_through(scene.occupancy.frame(), query, chain(cells));
+    Path path = path_through(scene.occupancy.frame(), query, chain_);
     accept(scene, query, cells, options_.weights, std::move(path), plan);
   }
   plan.stats.seconds = watch.seconds();
   return plan;
+}
+
+PlanStatus LengthPriorityPlanner::dijkstra(const Scene& scene, const Query& query,
+                                           const GridQuery& cells, SearchStats& stats) {
+  const Budget budget(options_.max_expansions, query.interrupted);
+  const PlanStatus status =
+      field_.run(scene.occupancy, cells.goal, cells.levels, budget, stats, cells.start);
+  if (status == PlanStatus::Found) chain_ = field_.chain_from(cells.start);
+  return status;
 }
 
 PlanStatus LengthPriorityPlanner::search(const Scene& scene, const Query& query,
@@ -63,7 +78,10 @@ PlanStatus LengthPriorityPlanner::search(const Scene& scene, const Query& query,
     if (node.closed) continue;  // stale: the cell was labelled better and expanded since
     node.closed = true;
     ++stats.expanded;
-    if (index == start) return PlanStatus::Found;
+    if (index == start) {
+      trace(cells);
+      return PlanStatus::Found;
+    }
     if (budget.spent(stats.expanded)) return PlanStatus::OutOfBudget;
 
     const Cell cell = space_.cell(index);
@@ -92,13 +110,12 @@ PlanStatus LengthPriorityPlanner::search(const Scene& scene, const Query& query,
   return PlanStatus::Unreachable;
 }
 
-std::vector<Cell> LengthPriorityPlanner::chain(const GridQuery& cells) const {
-  std::vector<Cell> chain{cells.start};
-  while (chain.back() != cells.goal) {
-    const Step& step = steps()[space_[space_.index(chain.back())].to_goal];
-    chain.push_back(chain.back() + Cell(step.dx, step.dy, step.dz));
+void LengthPriorityPlanner::trace(const GridQuery& cells) {
+  chain_.assign(1, cells.start);
+  while (chain_.back() != cells.goal) {
+    const Step& step = steps()[space_[space_.index(chain_.back())].to_goal];
+    chain_.push_back(chain_.back() + Cell(step.dx, step.dy, step.dz));
   }
-  return chain;
 }
 
 }  // namespace ltp
