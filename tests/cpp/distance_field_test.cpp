@@ -160,6 +160,9 @@ TEST(DistanceField, NamesACellThatIsNotInside) {
     EXPECT_THROW(field.run(grid, Cell(0, 0, 1), {1, 2}, kNoLimit, stats, outside),
                  std::invalid_argument);
   }
+  for (const LevelRange& wrong : {LevelRange{-1, 2}, LevelRange{0, 4}, LevelRange{2, 1}}) {
+    EXPECT_THROW(field.run(grid, Cell(0, 0, 1), wrong, kNoLimit, stats), std::invalid_argument);
+  }
 }
 
 TEST(DistanceField, AllocatesNothingTheSecondTime) {

@@ -21,6 +21,9 @@ PlanStatus DistanceField::run(const OccupancyGrid& grid, const Cell& source,
                               const LevelRange& levels, const Budget& budget, SearchStats& stats,
                               const std::optional<Cell>& stop_at) {
   frame_ = grid.frame();
+  if (levels.lowest < 0 || levels.highest >= frame_.nz() || levels.lowest > levels.highest) {
+    check::fail("levels", Eigen::RowVector2i(levels.lowest, levels.highest), "levels of the grid");
+  }
   columns_.reset(grid, levels);
   const auto number = [&](const char* name, const Cell& cell) {
     if (!frame_.contains(cell) || !columns_.contains(cell)) {
