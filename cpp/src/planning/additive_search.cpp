@@ -63,6 +63,10 @@ AdditiveResult AdditiveSearch::run(const Scene& scene, const Query& query, const
     result.chain = {cells.start};
     return result;
   }
+  if (enclosure_.parts(scene.occupancy, cells.goal, cells.start, cells.levels)) {
+    result.status = PlanStatus::Unreachable;
+    return result;
+  }
   const GridFrame& frame = scene.occupancy.frame();
   const std::array<double, kSteps> lengths = step_lengths(frame.cell());
   space_.begin(frame, cells.levels);

@@ -7,7 +7,7 @@
 
 #include "ltp/planning/distance_field.hpp"
 #include "ltp/planning/grid_query.hpp"
-#include "ltp/planning/open_list.hpp"
+#include "ltp/planning/lazy_open_list.hpp"
 #include "ltp/planning/planner.hpp"
 #include "ltp/planning/search_space.hpp"
 
@@ -31,9 +31,9 @@ class LengthPriorityPlanner final : public Planner {
   struct Node {
     double length = 0.0;    ///< L of the path from here to the goal [m]
     double priority = 0.0;  ///< integral of the priority along it [m]
+    double g = 0.0;         ///< Eq. (8)
     std::uint32_t stamp = 0;
-    std::int8_t to_goal = -1;  ///< number of the step towards the goal; -1 at the goal
-    bool labelled = false;
+    std::int8_t to_goal = -1;  ///< number of the step towards the goal; -1 without a label
     bool closed = false;
   };
 
@@ -50,7 +50,7 @@ class LengthPriorityPlanner final : public Planner {
   PlannerOptions options_;
   DistanceField field_;
   SearchSpace<Node> space_;
-  OpenList open_;
+  LazyOpenList open_;
   ColumnPriority priority_;
   std::vector<Cell> chain_;  ///< of the last path found, start ... goal
 };
