@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ltp authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The city that searches are measured in: 85 boxes on a window of 200 x 200 x 40 cells, a fifth of it
-// blocked; and queries through several of them.
+// The city that searches are measured in: 85 boxes on a window of 200 x 200 x 40 cells, a fifth of
+// it blocked; and queries through several of them.
 #pragma once
 
 #include <algorithm>

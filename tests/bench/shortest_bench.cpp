@@ -89,8 +89,7 @@ std::int64_t textbook(const OccupancyGrid& grid, const Cell& source, const Cell&
                       std::vector<double>& distances) {
   const GridFrame& frame = grid.frame();
   const std::array<double, kSteps> lengths = step_lengths(frame.cell());
-  distances.assign(static_cast<std::size_t>(frame.size()),
-                   std::numeric_limits<double>::infinity());
+  distances.assign(static_cast<std::size_t>(frame.size()), std::numeric_limits<double>::infinity());
   using Entry = std::pair<double, std::int64_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   distances[frame.index(source)] = 0.0;

@@ -78,8 +78,8 @@ TEST(ShortestPath, IsAsLongAsTheTextbooks) {
     if (k % 5 == 0) query.band = {frame.cell().z() * (k % 3), frame.cell().z() * (k % 4)};
     const Scene scene{grid, kNoPriority};
     const GridQuery cells = resolve(scene, query).cells;
-    const double expected = test::slow_distances(
-        grid, start, cells.levels, [&](const Cell& cell) -> Point {
+    const double expected =
+        test::slow_distances(grid, start, cells.levels, [&](const Cell& cell) -> Point {
           return cell == start ? query.start : cell == goal ? query.goal : frame.centre(cell);
         })[static_cast<std::size_t>(frame.index(goal))];
     SearchStats stats;
@@ -113,8 +113,8 @@ TEST(ShortestPath, RunsStraightWhereNothingIsInTheWay) {
 TEST(ShortestPath, HoldsTheLengthsOfAMaze) {
   const OccupancyGrid grid = test::serpentine(251);
   const Scene scene{grid, kNoPriority};
-  const Query query{grid.frame().centre(Cell(0, 0, 0)), grid.frame().centre(Cell(250, 0, 0)), {},
-                    nullptr};
+  const Query query{
+      grid.frame().centre(Cell(0, 0, 0)), grid.frame().centre(Cell(250, 0, 0)), {}, nullptr};
   ShortestPath search;
   SearchStats stats;
   ASSERT_EQ(search.run(scene, query, resolve(scene, query).cells, Budget(0, kNever), stats),

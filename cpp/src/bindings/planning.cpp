@@ -291,15 +291,16 @@ void bind_planning(py::module_& m) {
            "(1 + eps) times its L and its R. Only `pareto` has a front: ValueError for another "
            "planner, for a query\n"
            "that is not finite and for a wrong eps. Lets other threads run; Ctrl-C interrupts it.");
-  m.def("distance_field", &distance_field, "grid"_a, "source"_a, "levels"_a = py::none(),
-        "float64 (nx, ny, nz): the length of the shortest path [m] from the centre of the cell that "
-        "holds a point to the\n"
-        "centre of every cell, by the planners' 26 steps; inf where none leads. That cell counts as "
-        "free itself. source:\n"
-        "(3,), world [m]. levels: (lowest, highest), the only ones to use, both included; default: "
-        "all. ValueError if the\n"
-        "source is outside the grid or its levels, or these are not the grid's. Lets other threads "
-        "run; Ctrl-C interrupts it.");
+  m.def(
+      "distance_field", &distance_field, "grid"_a, "source"_a, "levels"_a = py::none(),
+      "float64 (nx, ny, nz): the length of the shortest path [m] from the centre of the cell that "
+      "holds a point to the\n"
+      "centre of every cell, by the planners' 26 steps; inf where none leads. That cell counts as "
+      "free itself. source:\n"
+      "(3,), world [m]. levels: (lowest, highest), the only ones to use, both included; default: "
+      "all. ValueError if the\n"
+      "source is outside the grid or its levels, or these are not the grid's. Lets other threads "
+      "run; Ctrl-C interrupts it.");
   m.def("planner_names", &ltp::planner_names,
         "The planners' names, in the order of the paper's tables.");
   m.def("flood_fill", &flood_fill, "grid"_a, "query"_a,

@@ -50,7 +50,8 @@ PlanStatus LengthPriorityPlanner::search(const Scene& scene, const Query& query,
   const Budget budget(options_.max_expansions, query.interrupted);
   priority_.reset(frame, scene.priority);
   space_.begin(frame, cells.levels);
-  open_.begin(-options_.weights.priority, 2.0 * (options_.weights.length + options_.weights.priority));
+  open_.begin(-options_.weights.priority,
+              2.0 * (options_.weights.length + options_.weights.priority));
 
   // Eq. (9), times W_A* of Eq. (10). As printed it lacks the factor W_L of the length that it
   // estimates.

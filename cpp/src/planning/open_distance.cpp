@@ -24,8 +24,8 @@ OpenDistance::Units OpenDistance::change_of(int kind) const {
   Units least = kUnknown;
   for (const Step& step : steps()) {
     const Cell neighbour(step.dx, step.dy, step.dz);
-    least = std::min(least, length(ways_of(by - neighbour)) +
-                                last_[neighbour_bit(step.dx, step.dy, step.dz)]);
+    least = std::min(
+        least, length(ways_of(by - neighbour)) + last_[neighbour_bit(step.dx, step.dy, step.dz)]);
   }
   return least - length(ways_of(by));
 }

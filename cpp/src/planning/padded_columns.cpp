@@ -34,8 +34,7 @@ void PaddedColumns::reset(const OccupancyGrid& grid, const LevelRange& levels) {
     if (left < 63) outside |= ~std::uint64_t{0} << (left + 1);
     const int first = lowest_ + static_cast<int>(w * kLevels) - 1;
     for (int ix = 0; ix < frame.nx(); ++ix) {
-      std::uint64_t* words =
-          words_.data() + (std::size_t{row_} * (ix + 1) + 1) * per_column_ + w;
+      std::uint64_t* words = words_.data() + (std::size_t{row_} * (ix + 1) + 1) * per_column_ + w;
       for (int iy = 0; iy < frame.ny(); ++iy, words += per_column_) {
         *words = bits_from(grid.column(ix, iy), grid.words_per_column(), first) | outside;
       }

@@ -21,9 +21,9 @@ namespace ltp {
 class DistanceField {
  public:
   /// From a cell, which counts as free itself, over the free cells of the levels. Adds what it did
-  /// to `stats`. Found: complete, or, with `stop_at`, as far as that cell is; Unreachable: that cell
-  /// was not reached; OutOfBudget. Throws `std::invalid_argument` if a cell is outside the frame or
-  /// the levels, or these are.
+  /// to `stats`. Found: complete, or, with `stop_at`, as far as that cell is; Unreachable: that
+  /// cell was not reached; OutOfBudget. Throws `std::invalid_argument` if a cell is outside the
+  /// frame or the levels, or these are.
   PlanStatus run(const OccupancyGrid& grid, const Cell& source, const LevelRange& levels,
                  const Budget& budget, SearchStats& stats,
                  const std::optional<Cell>& stop_at = std::nullopt);

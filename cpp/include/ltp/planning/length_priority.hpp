@@ -16,8 +16,8 @@ namespace ltp {
 /// Backward weighted A* from goal to start over the 26-neighbour graph, ordered by Eqs. (8)-(10). A
 /// cell carries one label (L, P) and is closed for good when it is expanded: reopening would turn
 /// parent chains into rings, since Eq. (8) is a mean that can fall along a path. So for W_P > 0
-/// this is the paper's heuristic, not an optimum of Eq. (5). For W_P = 0 and heuristic weight 0 or 1 it
-/// is the shortest path on the graph; without a heuristic `DistanceField` finds it.
+/// this is the paper's heuristic, not an optimum of Eq. (5). For W_P = 0 and heuristic weight 0 or
+/// 1 it is the shortest path on the graph; without a heuristic `DistanceField` finds it.
 class LengthPriorityPlanner final : public Planner {
  public:
   /// @param heuristic_weight  W_A* of Eq. (10): 0 LP-Dijkstra, 1 LP-A*, sqrt(3) WLP-A*

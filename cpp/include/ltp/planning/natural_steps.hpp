@@ -17,9 +17,9 @@ namespace ltp {
 /// or as long and ends with a lower step.
 ///
 /// No cell's distance suffers: of all shortest paths to it take the one whose last step is lowest,
-/// then whose step before is, and so on. If it had a dropped step, the other way would give a better
-/// one. A search must therefore keep, of the steps that reach a cell at the same length, the lowest,
-/// and lengths must be exact.
+/// then whose step before is, and so on. If it had a dropped step, the other way would give a
+/// better one. A search must therefore keep, of the steps that reach a cell at the same length, the
+/// lowest, and lengths must be exact.
 class NaturalSteps {
  public:
   /// No step led to the cell: all legal ones are taken.

@@ -65,8 +65,9 @@ class OpenDistance {
     std::array<int, 3> count;
   };
   static Ways ways_of(const Cell& by) {
-    Ways ways{{0, 1, 2}, {by.x() < 0 ? -by.x() : by.x(), by.y() < 0 ? -by.y() : by.y(),
-                          by.z() < 0 ? -by.z() : by.z()}};
+    Ways ways{{0, 1, 2},
+              {by.x() < 0 ? -by.x() : by.x(), by.y() < 0 ? -by.y() : by.y(),
+               by.z() < 0 ? -by.z() : by.z()}};
     const auto order = [&](int i, int j) {
       if (ways.count[i] >= ways.count[j]) return;
       std::swap(ways.count[i], ways.count[j]);

@@ -3,9 +3,9 @@
 // `ShortestPath`: one exact A* for the shortest path of a query.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
-#include <array>
 #include <vector>
 
 #include "ltp/planning/flood.hpp"
@@ -56,12 +56,12 @@ class ShortestPath {
   LengthUnits units_{1.0};
   std::optional<NaturalSteps> natural_;
   OpenDistance to_start_;
-  std::array<std::uint64_t, kSteps> from_goal_{};       ///< lengths of the first steps
-  std::array<std::uint64_t, 27> into_start_{};  ///< of the last, by `neighbour_bit`
+  std::array<std::uint64_t, kSteps> from_goal_{};  ///< lengths of the first steps
+  std::array<std::uint64_t, 27> into_start_{};     ///< of the last, by `neighbour_bit`
   SearchSpace<Node> space_;
   std::vector<std::vector<Entry>> ring_;
   std::uint64_t first_ = 0;  ///< number of the bucket of the least estimate
-  std::uint64_t now_ = 0;  ///< number of the bucket that is being emptied
+  std::uint64_t now_ = 0;    ///< number of the bucket that is being emptied
   std::size_t waiting_ = 0;
   int shift_ = 0;  ///< from an estimate to the number of its bucket
   Flood flood_;

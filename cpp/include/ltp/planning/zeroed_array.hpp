@@ -12,7 +12,8 @@
 namespace ltp {
 
 /// Items of zero bytes. The system hands out zeroed pages when they are first touched, so that a
-/// search over a few cells of a large window neither waits for the others nor holds memory for them.
+/// search over a few cells of a large window neither waits for the others nor holds memory for
+/// them.
 template <typename Item>
 class ZeroedArray {
   static_assert(std::is_trivially_copyable_v<Item> && std::is_trivially_destructible_v<Item>);
