@@ -10,7 +10,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['AraOptions', 'BezierOptions', 'BugOptions', 'Front', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'ParetoOptions', 'PathTally', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'WayPointEvent', 'closest_point', 'flood_fill', 'inflate', 'path_length', 'penalty', 'planner_names', 'point_at', 'resample', 'tally']
+__all__: list[str] = ['AraOptions', 'BezierOptions', 'BugOptions', 'Front', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'ParetoOptions', 'PathTally', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'WayPointEvent', 'closest_point', 'distance_field', 'flood_fill', 'inflate', 'path_length', 'penalty', 'planner_names', 'point_at', 'resample', 'tally']
 class Pose:
     """
     Where a body is and how it is turned (world ENU, body x forward, y left, z up).
@@ -1381,6 +1381,13 @@ class LocalTrajectoryPlanner:
 def closest_point(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], from_arc_length: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], float, float]:
     """
     (point (3,), arc length [m], distance [m]) of the closest point of a polyline at or beyond an arc length.
+    """
+def distance_field(grid: OccupancyGrid, source: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], levels: tuple[typing.SupportsInt | typing.SupportsIndex, typing.SupportsInt | typing.SupportsIndex] | None = None) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    float64 (nx, ny, nz): the length of the shortest path [m] from the centre of the cell that holds a point to the
+    centre of every cell, by the planners' 26 steps; inf where none leads. That cell counts as free itself. source:
+    (3,), world [m]. levels: (lowest, highest), the only ones to use, both included; default: all. ValueError if the
+    source is outside the grid or its levels, or these are not the grid's. Lets other threads run; Ctrl-C interrupts it.
     """
 def flood_fill(grid: OccupancyGrid, query: Query) -> numpy.typing.NDArray[numpy.bool]:
     """

@@ -297,12 +297,20 @@ Situation sealed_off(bool start) {
   return sealed;
 }
 
+/// The same window in two halves: whichever side a proof begins at, it is long.
+Situation divided() {
+  Situation halves = sealed_off(true);
+  halves.grid.clear();
+  for (int i = 0; i < 600; ++i) halves.grid.set(Cell(30, i / 10, i % 10));
+  halves.query.start = halves.grid.frame().centre(Cell(3, 30, 3));
+  halves.query.goal = halves.grid.frame().centre(Cell(50, 30, 5));
+  return halves;
+}
+
 TEST_P(PlannerContract, StopsWhenItIsInterrupted) {
   std::unique_ptr<Planner> planner = make(PlannerOptions{});
-  // From one of the two sides the search is long.
   int longest = 0;
-  for (const bool start : {true, false}) {
-    Situation sealed = sealed_off(start);
+  for (Situation sealed : {sealed_off(true), sealed_off(false), divided()}) {
     int asked = 0;
     sealed.query.interrupted = [&] { return ++asked, false; };
     const Plan whole = planner->plan(sealed.scene(), sealed.query);

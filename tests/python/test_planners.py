@@ -155,6 +155,44 @@ def test_on_1000_random_grids_lengths_are_scipys_and_reachability_is_a_floods() 
     assert longer["wlp-a-star"] > 0
 
 
+def test_the_distance_field_is_scipys_in_every_cell() -> None:
+    rng = np.random.default_rng(7)
+    reached = 0
+    for number in range(200):
+        puzzle = Puzzle.random(rng)
+        blocked = puzzle.blocked.copy()
+        levels = None
+        if number % 2:
+            levels = (int(rng.integers(puzzle.start[2] + 1)), puzzle.start[2])
+            blocked[:, :, : levels[0]] = blocked[:, :, levels[1] + 1 :] = True
+        # Anywhere in its cell.
+        source = puzzle.centre(puzzle.start) + rng.uniform(-0.49, 0.49, 3) * puzzle.cell
+        field = ltp.distance_field(puzzle.grid, source, levels=levels)
+        start = np.ravel_multi_index(puzzle.start, blocked.shape)
+        lengths = csgraph.dijkstra(graph(blocked, puzzle.cell), directed=False, indices=start)
+        assert (field.dtype, field.shape) == (np.float64, blocked.shape)
+        np.testing.assert_allclose(field.ravel(), lengths, rtol=0, atol=1e-9)
+        assert np.isinf(field[blocked]).all()
+        reached += int(np.isfinite(field).sum())
+    assert reached > 5000
+
+
+def test_a_distance_field_needs_a_source_inside() -> None:
+    grid = ltp.OccupancyGrid(ltp.GridFrame((0, 0, 0), (2, 2, 4), (5, 4, 3)))
+    assert ltp.distance_field(grid, (1, 1, 2))[4, 0, 0] == 8.0
+    for outside in ((-0.1, 1, 2), (1, 8, 2), (1, 1, math.nan), (math.inf, 1, 1)):
+        with pytest.raises(ValueError, match=r"^source = "):
+            ltp.distance_field(grid, outside)
+    with pytest.raises(ValueError, match=r"^source = "):
+        ltp.distance_field(grid, (1, 1, 2), levels=(1, 2))
+    for wrong in ((-1, 2), (0, 3), (2, 1)):
+        with pytest.raises(ValueError, match=r"^levels = "):
+            ltp.distance_field(grid, (1, 1, 2), levels=wrong)
+    grid = ltp.OccupancyGrid.from_array(np.ones((5, 4, 3), bool), grid.frame)
+    field = ltp.distance_field(grid, (1, 1, 2))  # as if its own cell were free
+    assert np.flatnonzero(np.isfinite(field)).tolist() == [0]
+
+
 def literal_search(
     puzzle: Puzzle, w_l: float, w_p: float, w_a: float, scaled: bool
 ) -> list[Cell] | None:

@@ -5,6 +5,7 @@
 
 #include "bindings.hpp"
 #include "interrupt.hpp"
+#include "ltp/planning/distance_field.hpp"
 #include "ltp/planning/flood.hpp"
 #include "ltp/planning/grid_query.hpp"
 #include "ltp/planning/pareto.hpp"
@@ -245,6 +246,27 @@ py::array_t<bool> flood_fill(const ltp::OccupancyGrid& grid, const ltp::Query& q
   return out;
 }
 
+using Levels = std::pair<int, int>;
+
+/// Lengths of the shortest paths from the centre of a point's cell, double (nx, ny, nz).
+py::array_t<double> distance_field(const ltp::OccupancyGrid& grid, const ltp::Point& source,
+                                   const std::optional<Levels>& levels) {
+  const ltp::GridFrame& frame = grid.frame();
+  py::array_t<double> out({frame.nx(), frame.ny(), frame.nz()});
+  double* const distances = out.mutable_data();
+  const auto [lowest, highest] = levels.value_or(Levels(0, frame.nz() - 1));
+  const std::function<bool()> interrupted = SignalWatch();
+  {
+    const py::gil_scoped_release release;
+    ltp::DistanceField field;
+    ltp::SearchStats stats;
+    field.run(grid, frame.cell_of(source), {lowest, highest}, ltp::Budget(0, interrupted), stats);
+    field.copy_to(distances);
+  }
+  raise_pending_signal();
+  return out;
+}
+
 }  // namespace
 
 void bind_planning(py::module_& m) {
@@ -269,6 +291,16 @@ void bind_planning(py::module_& m) {
            "(1 + eps) times its L and its R. Only `pareto` has a front: ValueError for another "
            "planner, for a query\n"
            "that is not finite and for a wrong eps. Lets other threads run; Ctrl-C interrupts it.");
+  m.def(
+      "distance_field", &distance_field, "grid"_a, "source"_a, "levels"_a = py::none(),
+      "float64 (nx, ny, nz): the length of the shortest path [m] from the centre of the cell that "
+      "holds a point to the\n"
+      "centre of every cell, by the planners' 26 steps; inf where none leads. That cell counts as "
+      "free itself. source:\n"
+      "(3,), world [m]. levels: (lowest, highest), the only ones to use, both included; default: "
+      "all. ValueError if the\n"
+      "source is outside the grid or its levels, or these are not the grid's. Lets other threads "
+      "run; Ctrl-C interrupts it.");
   m.def("planner_names", &ltp::planner_names,
         "The planners' names, in the order of the paper's tables.");
   m.def("flood_fill", &flood_fill, "grid"_a, "query"_a,

@@ -63,6 +63,10 @@ AdditiveResult AdditiveSearch::run(const Scene& scene, const Query& query, const
     result.chain = {cells.start};
     return result;
   }
+  if (enclosure_.parts(scene.occupancy, cells.goal, cells.start, cells.levels)) {
+    result.status = PlanStatus::Unreachable;
+    return result;
+  }
   const GridFrame& frame = scene.occupancy.frame();
   const std::array<double, kSteps> lengths = step_lengths(frame.cell());
   space_.begin(frame, cells.levels);
@@ -123,6 +127,7 @@ AdditiveResult AdditiveSearch::run(const Scene& scene, const Query& query, const
       const int jy = cell.y() + column.dy;
       double metre = -1.0;  // cost of a metre on the way to this column, once it is needed
       double ground = 0.0;  // the field's value there
+      const std::uint32_t level = space_.index(Cell(jx, jy, cell.z()));
       for (const std::int8_t number : column.number) {
         if (number < 0 || (blocked & steps()[number].box)) continue;
         if (metre < 0.0) {
@@ -130,7 +135,7 @@ AdditiveResult AdditiveSearch::run(const Scene& scene, const Query& query, const
           ground = field_(jx, jy);
         }
         const Cell next(jx, jy, cell.z() + steps()[number].dz);
-        const std::uint32_t next_index = space_.index(next);
+        const std::uint32_t next_index = level + static_cast<std::uint32_t>(next.z() - cell.z());
         const bool end = index == start || next_index == goal;
         const double total = entry.cost + (end ? end_step(cell, next) : lengths[number] * metre);
         Node& other = space_.visit(next_index);

@@ -18,13 +18,28 @@ Plan LengthPriorityPlanner::plan(const Scene& scene, const Query& query) {
   const Stopwatch watch;
   Plan plan;
   const auto [refused, cells] = resolve(scene, query);
-  plan.status = refused ? *refused : search(scene, query, cells, plan.stats);
+  if (refused) {
+    plan.status = *refused;
+  } else if (heuristic_weight_ == 0.0 && options_.weights.priority == 0.0) {
+    plan.status = dijkstra(scene, query, cells, plan.stats);
+  } else {
+    plan.status = search(scene, query, cells, plan.stats);
+  }
   if (plan.status == PlanStatus::Found) {
-    Path path = path_through(scene.occupancy.frame(), query, chain(cells));
+    Path path = path_through(scene.occupancy.frame(), query, chain_);
     accept(scene, query, cells, options_.weights, std::move(path), plan);
   }
   plan.stats.seconds = watch.seconds();
   return plan;
+}
+
+PlanStatus LengthPriorityPlanner::dijkstra(const Scene& scene, const Query& query,
+                                           const GridQuery& cells, SearchStats& stats) {
+  const Budget budget(options_.max_expansions, query.interrupted);
+  const PlanStatus status =
+      field_.run(scene.occupancy, cells.goal, cells.levels, budget, stats, cells.start);
+  if (status == PlanStatus::Found) chain_ = field_.chain_from(cells.start);
+  return status;
 }
 
 PlanStatus LengthPriorityPlanner::search(const Scene& scene, const Query& query,
@@ -35,7 +50,8 @@ PlanStatus LengthPriorityPlanner::search(const Scene& scene, const Query& query,
   const Budget budget(options_.max_expansions, query.interrupted);
   priority_.reset(frame, scene.priority);
   space_.begin(frame, cells.levels);
-  open_.clear();
+  open_.begin(-options_.weights.priority,
+              2.0 * (options_.weights.length + options_.weights.priority));
 
   // Eq. (9), times W_A* of Eq. (10). As printed it lacks the factor W_L of the length that it
   // estimates.
@@ -43,27 +59,36 @@ PlanStatus LengthPriorityPlanner::search(const Scene& scene, const Query& query,
   const double per_metre =
       cells.direct_length > 0.0 ? heuristic_weight_ * scale / cells.direct_length : 0.0;
   const auto heuristic = [&](const Cell& cell) {
-    return per_metre * (frame.centre(cell) - query.start).norm();
+    return per_metre > 0.0 ? per_metre * (frame.centre(cell) - query.start).norm() : 0.0;
   };
   // Eq. (8): the penalty of the path from a cell to the goal.
   const double goal_priority = priority_(cells.goal.x(), cells.goal.y());
-  const auto g = [&](const Node& node) {
-    return penalty(node.length, node.priority, goal_priority);
+  const auto g = [&](double length, double integral) {
+    return penalty(length, integral, goal_priority);
   };
 
   const std::uint32_t start = space_.index(cells.start);
   const std::uint32_t goal = space_.index(cells.goal);
-  space_.visit(goal).labelled = true;
-  open_.push({g(space_[goal]) + heuristic(cells.goal), heuristic(cells.goal), goal});
+  Node& root = space_.visit(goal);
+  root.g = g(0.0, 0.0);
+  open_.push({root.g + heuristic(cells.goal), heuristic(cells.goal), goal});
   ++stats.pushed;
 
-  while (!open_.empty()) {
-    const std::uint32_t index = open_.pop().cell;
+  // The cell was labelled better since, or expanded.
+  const auto is_stale = [&](const OpenEntry& entry) {
+    const Node& node = space_[entry.cell];
+    return node.closed || node.g + entry.h != entry.f;
+  };
+  for (OpenEntry entry; open_.pop(entry, is_stale);) {
+    const std::uint32_t index = entry.cell;
     Node& node = space_.visit(index);
-    if (node.closed) continue;  // stale: the cell was labelled better and expanded since
+    if (node.closed) continue;
     node.closed = true;
     ++stats.expanded;
-    if (index == start) return PlanStatus::Found;
+    if (index == start) {
+      trace(cells);
+      return PlanStatus::Found;
+    }
     if (budget.spent(stats.expanded)) return PlanStatus::OutOfBudget;
 
     const Cell cell = space_.cell(index);
@@ -76,14 +101,15 @@ PlanStatus LengthPriorityPlanner::search(const Scene& scene, const Query& query,
       const std::uint32_t next_index = space_.index(next);
       Node& other = space_.visit(next_index);
       if (other.closed) continue;
-      Node label = other;
-      label.length = node.length + lengths[i];
-      label.priority = node.priority + 0.5 * lengths[i] * (here + priority_(next.x(), next.y()));
-      const double cost = g(label);
-      if (other.labelled && cost >= g(other)) continue;
-      label.labelled = true;
-      label.to_goal = step.opposite;
-      other = label;
+      const double length = node.length + lengths[i];
+      const double priority =
+          node.priority + 0.5 * lengths[i] * (here + priority_(next.x(), next.y()));
+      const double cost = g(length, priority);
+      if (other.to_goal >= 0 && cost >= other.g) continue;
+      other.length = length;
+      other.priority = priority;
+      other.g = cost;
+      other.to_goal = step.opposite;
       const double h = heuristic(next);
       open_.push({cost + h, h, next_index});  // Eq. (10)
       ++stats.pushed;
@@ -92,13 +118,12 @@ PlanStatus LengthPriorityPlanner::search(const Scene& scene, const Query& query,
   return PlanStatus::Unreachable;
 }
 
-std::vector<Cell> LengthPriorityPlanner::chain(const GridQuery& cells) const {
-  std::vector<Cell> chain{cells.start};
-  while (chain.back() != cells.goal) {
-    const Step& step = steps()[space_[space_.index(chain.back())].to_goal];
-    chain.push_back(chain.back() + Cell(step.dx, step.dy, step.dz));
+void LengthPriorityPlanner::trace(const GridQuery& cells) {
+  chain_.assign(1, cells.start);
+  while (chain_.back() != cells.goal) {
+    const Step& step = steps()[space_[space_.index(chain_.back())].to_goal];
+    chain_.push_back(chain_.back() + Cell(step.dx, step.dy, step.dz));
   }
-  return chain;
 }
 
 }  // namespace ltp

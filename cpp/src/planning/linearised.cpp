@@ -38,11 +38,23 @@ Plan LinearisedPlanner::plan(const Scene& scene, const Query& query) {
   const auto [refused, cells] = resolve(scene, query);
   if (refused) {
     plan.status = *refused;
+  } else if (options_.weights.priority == 0.0 && cells.start != cells.goal) {
+    shortest(scene, query, cells, plan);
   } else {
     search(scene, query, cells, plan);
   }
   plan.stats.seconds = watch.seconds();
   return plan;
+}
+
+void LinearisedPlanner::shortest(const Scene& scene, const Query& query, const GridQuery& cells,
+                                 Plan& plan) {
+  const Budget budget(options_.max_expansions, query.interrupted);
+  plan.status = shortest_.run(scene, query, cells, budget, plan.stats);
+  if (plan.status != PlanStatus::Found) return;
+  accept(scene, query, cells, options_.weights,
+         path_through(scene.occupancy.frame(), query, shortest_.chain()), plan);
+  plan.bound = plan.penalty;
 }
 
 /// Leaves over only paths that may have a smaller penalty than the best: bounds their length, and
@@ -94,10 +106,9 @@ void LinearisedPlanner::search(const Scene& scene, const Query& query, const Gri
     return found;
   };
 
-  if (options_.weights.priority == 0.0 || cells.start == cells.goal) {
-    const PlanStatus status = run({1.0, 0.0}).status;
-    if (status != PlanStatus::Found) best.status = status;
-    if (status == PlanStatus::Found) best.bound = best.penalty;  // the shortest, or the only one
+  if (cells.start == cells.goal) {
+    run({1.0, 0.0});
+    best.bound = best.penalty;  // the only path
     return;
   }
   const double most = std::max(scene.priority.maximum(), 0.0);

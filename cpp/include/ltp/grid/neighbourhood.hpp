@@ -25,12 +25,61 @@ struct Step {
   std::uint32_t box;     ///< the surroundings' bits that must all be free
 };
 
+namespace detail {
+
+constexpr std::uint32_t box_of(int dx, int dy, int dz) {
+  std::uint32_t box = 0;
+  for (int x = 0; x <= dx * dx; ++x) {
+    for (int y = 0; y <= dy * dy; ++y) {
+      for (int z = 0; z <= dz * dz; ++z) {
+        // The walker's own cell is not asked about: a UAV may stand in a coarse blocked cell.
+        if (x + y + z > 0) box |= std::uint32_t{1} << neighbour_bit(dx * x, dy * y, dz * z);
+      }
+    }
+  }
+  return box;
+}
+
+constexpr std::array<Step, kSteps> make_steps() {
+  std::array<Step, kSteps> all{};
+  int count = 0;
+  for (int kind = 1; kind <= 3; ++kind) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dz = -1; dz <= 1; ++dz) {
+          if (dx * dx + dy * dy + dz * dz != kind) continue;
+          Step& step = all[count++];
+          step.dx = static_cast<std::int8_t>(dx);
+          step.dy = static_cast<std::int8_t>(dy);
+          step.dz = static_cast<std::int8_t>(dz);
+          step.box = box_of(dx, dy, dz);
+        }
+      }
+    }
+  }
+  for (Step& step : all) {
+    for (int i = 0; i < kSteps; ++i) {
+      if (all[i].dx == -step.dx && all[i].dy == -step.dy && all[i].dz == -step.dz) {
+        step.opposite = static_cast<std::int8_t>(i);
+      }
+    }
+  }
+  return all;
+}
+
+inline constexpr std::array<Step, kSteps> kAllSteps = make_steps();
+
+}  // namespace detail
+
 /// Faces first, then edges, then corners; within each by (dx, dy, dz). Ties are broken in this
 /// order.
-const std::array<Step, kSteps>& steps();
+inline const std::array<Step, kSteps>& steps() { return detail::kAllSteps; }
 
 /// Metric lengths of the steps on cells of the given edges [m].
 std::array<double, kSteps> step_lengths(const Point& cell);
+
+/// The bits of the nine cells below: (-1 ... 1, -1 ... 1, -1).
+inline constexpr std::uint32_t kBottomBits = 0111111111;
 
 /// Levels of the window that a search may use, both ends included.
 struct LevelRange {
@@ -46,6 +95,17 @@ inline std::uint32_t blocked_surroundings(const OccupancyGrid& grid, const Cell&
   const std::uint32_t outside =
       (cell.z() <= levels.lowest ? 1u : 0u) | (cell.z() >= levels.highest ? 4u : 0u);
   std::uint32_t mask = 0;
+  if (grid.words_per_column() == 1 && cell.x() > 0 && cell.x() < frame.nx() - 1 && cell.y() > 0 &&
+      cell.y() < frame.ny() - 1 && cell.z() > 0) {  // most cells: nine words, and no questions
+    for (int dx = -1; dx <= 1; ++dx) {
+      const std::uint64_t* column = grid.column(cell.x() + dx, cell.y());
+      for (int dy = -1; dy <= 1; ++dy) {
+        const std::uint64_t three = column[dy] >> (cell.z() - 1) & 7u;
+        mask |= static_cast<std::uint32_t>(three) << neighbour_bit(dx, dy, -1);
+      }
+    }
+    return mask | outside * kBottomBits;
+  }
   for (int dx = -1; dx <= 1; ++dx) {
     for (int dy = -1; dy <= 1; ++dy) {
       const int ix = cell.x() + dx;

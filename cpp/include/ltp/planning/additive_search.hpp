@@ -8,6 +8,7 @@
 
 #include "ltp/planning/bucket_queue.hpp"
 #include "ltp/planning/column_field.hpp"
+#include "ltp/planning/enclosure.hpp"
 #include "ltp/planning/flood.hpp"
 #include "ltp/planning/grid_query.hpp"
 #include "ltp/planning/search_space.hpp"
@@ -26,7 +27,8 @@ struct AdditiveResult {
 /// themselves in place of the centres of their cells. It begins at the start, since that is where
 /// the obstacles are that a UAV has seen, and its heuristic knows none: the exact cost over the
 /// columns to the goal, and the least that a change of height adds. A goal that is walled in is
-/// proved so from the goal's side, by a flood, once the search has grown long.
+/// proved so from the goal's side: closely by a glance, widely by a flood once the search has grown
+/// long.
 class AdditiveSearch {
  public:
   /// Adds what it did to `stats`. A search that has been told to stop answers `OutOfBudget`.
@@ -46,6 +48,7 @@ class AdditiveSearch {
   SearchSpace<Node> space_;
   BucketQueue open_;
   ColumnField field_;
+  Enclosure enclosure_;
   Flood flood_;
 };
 

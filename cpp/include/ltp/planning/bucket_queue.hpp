@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "ltp/planning/quad_heap.hpp"
+
 namespace ltp {
 
 /// A strict priority queue for values that come near to one another: a push into a later bucket
@@ -21,6 +23,11 @@ class BucketQueue {
     double cost = 0.0;   ///< the part of it that is known; among equals the largest goes first
     std::uint32_t cell =
         0;  ///< index in the search space; the last tie-breaker, so that runs repeat
+
+    bool before(const Entry& other) const {
+      const bool at_once = (cost > other.cost) | ((cost == other.cost) & (cell < other.cell));
+      return (value < other.value) | ((value == other.value) & at_once);
+    }
   };
 
   /// @param first  the least value to come
@@ -40,8 +47,11 @@ class BucketQueue {
     const auto bucket = static_cast<std::int64_t>((entry.value - first_) * per_width_);
     const std::int64_t number = std::clamp(bucket, now_, now_ + kBuckets - 1);
     std::vector<Entry>& entries = buckets_[number % kBuckets];
-    entries.push_back(entry);
-    if (number == now_) std::push_heap(entries.begin(), entries.end(), later);
+    if (number == now_) {
+      quad_heap::push(entries, entry);
+    } else {
+      entries.push_back(entry);
+    }
     ++size_;
   }
 
@@ -49,30 +59,19 @@ class BucketQueue {
   const Entry& top() {
     if (buckets_[now_ % kBuckets].empty()) {
       while (buckets_[now_ % kBuckets].empty()) ++now_;
-      std::vector<Entry>& entries = buckets_[now_ % kBuckets];
-      std::make_heap(entries.begin(), entries.end(), later);
+      quad_heap::make(buckets_[now_ % kBuckets]);
     }
     return buckets_[now_ % kBuckets].front();
   }
   Entry pop() {
     top();
-    std::vector<Entry>& entries = buckets_[now_ % kBuckets];
-    std::pop_heap(entries.begin(), entries.end(), later);
-    const Entry best = entries.back();
-    entries.pop_back();
     --size_;
-    return best;
+    return quad_heap::pop(buckets_[now_ % kBuckets]);
   }
 
   static constexpr std::int64_t kBuckets = 1024;
 
  private:
-  static bool later(const Entry& a, const Entry& b) {
-    if (a.value != b.value) return a.value > b.value;
-    if (a.cost != b.cost) return a.cost < b.cost;
-    return a.cell > b.cell;
-  }
-
   double first_ = 0.0;
   double per_width_ = 1.0;
   std::int64_t now_ = 0;  ///< number of the first bucket that may hold something

@@ -5,8 +5,9 @@
 
 #include <string>
 
+#include "ltp/planning/distance_field.hpp"
 #include "ltp/planning/grid_query.hpp"
-#include "ltp/planning/open_list.hpp"
+#include "ltp/planning/lazy_open_list.hpp"
 #include "ltp/planning/planner.hpp"
 #include "ltp/planning/search_space.hpp"
 
@@ -15,8 +16,8 @@ namespace ltp {
 /// Backward weighted A* from goal to start over the 26-neighbour graph, ordered by Eqs. (8)-(10). A
 /// cell carries one label (L, P) and is closed for good when it is expanded: reopening would turn
 /// parent chains into rings, since Eq. (8) is a mean that can fall along a path. So for W_P > 0
-/// this is the paper's heuristic, not an optimum of Eq. (5); for W_P = 0 and heuristic weight 0 or
-/// 1 it is the shortest path on the graph.
+/// this is the paper's heuristic, not an optimum of Eq. (5). For W_P = 0 and heuristic weight 0 or
+/// 1 it is the shortest path on the graph; without a heuristic `DistanceField` finds it.
 class LengthPriorityPlanner final : public Planner {
  public:
   /// @param heuristic_weight  W_A* of Eq. (10): 0 LP-Dijkstra, 1 LP-A*, sqrt(3) WLP-A*
@@ -30,23 +31,28 @@ class LengthPriorityPlanner final : public Planner {
   struct Node {
     double length = 0.0;    ///< L of the path from here to the goal [m]
     double priority = 0.0;  ///< integral of the priority along it [m]
+    double g = 0.0;         ///< Eq. (8)
     std::uint32_t stamp = 0;
-    std::int8_t to_goal = -1;  ///< number of the step towards the goal; -1 at the goal
-    bool labelled = false;
+    std::int8_t to_goal = -1;  ///< number of the step towards the goal; -1 without a label
     bool closed = false;
   };
 
-  /// Runs the search; returns whether the start was reached.
+  /// LP-Dijkstra where priority has no weight.
+  PlanStatus dijkstra(const Scene& scene, const Query& query, const GridQuery& cells,
+                      SearchStats& stats);
+  /// The paper's search.
   PlanStatus search(const Scene& scene, const Query& query, const GridQuery& cells,
                     SearchStats& stats);
-  std::vector<Cell> chain(const GridQuery& cells) const;
+  void trace(const GridQuery& cells);
 
   std::string name_;
   double heuristic_weight_;
   PlannerOptions options_;
+  DistanceField field_;
   SearchSpace<Node> space_;
-  OpenList open_;
+  LazyOpenList open_;
   ColumnPriority priority_;
+  std::vector<Cell> chain_;  ///< of the last path found, start ... goal
 };
 
 }  // namespace ltp

@@ -11,6 +11,7 @@
 #include "ltp/planning/exact_search.hpp"
 #include "ltp/planning/penalty_bound.hpp"
 #include "ltp/planning/planner.hpp"
+#include "ltp/planning/shortest_path.hpp"
 
 namespace ltp {
 
@@ -24,7 +25,7 @@ namespace ltp {
 /// Ends when the best path is within the tolerance of the bound, when another search could bring
 /// nothing new - then the path is the best supported one, and the true optimum lies between the
 /// bound and it - or when its effort is spent. A gap that is still open then is closed by
-/// `ExactSearch`, as far as `LinearisedOptions::closing` goes. For W_P = 0 one search is exact.
+/// `ExactSearch`, as far as `LinearisedOptions::closing` goes. For W_P = 0 it is `ShortestPath`.
 /// Where alpha would have to be below the largest priority (long detours over the best ground pay),
 /// it is held just above: the bound stays valid and gets wider. The bound is given where the
 /// priority raster's cells are the grid's columns.
@@ -44,6 +45,7 @@ class LinearisedPlanner final : public Planner {
   void forget() { last_goal_.setConstant(std::numeric_limits<double>::quiet_NaN()); }
 
  private:
+  void shortest(const Scene& scene, const Query& query, const GridQuery& cells, Plan& plan);
   void search(const Scene& scene, const Query& query, const GridQuery& cells, Plan& best);
   double narrow(const Scene& scene, const Query& query, double penalty, PenaltyBound& bound);
   double begin_with(const PenaltyBound& bound, const GridQuery& cells, const Query& query,
@@ -52,6 +54,7 @@ class LinearisedPlanner final : public Planner {
   std::string name_;
   int max_searches_;
   PlannerOptions options_;
+  ShortestPath shortest_;
   AdditiveSearch search_;
   ColumnPriority priority_;
   ExactSearch exact_;

@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "ltp/grid/frame.hpp"
 #include "ltp/grid/neighbourhood.hpp"
+#include "ltp/planning/zeroed_array.hpp"
 
 namespace ltp {
 
@@ -25,7 +25,10 @@ class SearchSpace {
     lowest_ = levels.lowest;
     depth_ = static_cast<std::uint32_t>(levels.highest - levels.lowest + 1);
     const std::size_t size = std::size_t{static_cast<std::uint32_t>(frame.nx())} * ny_ * depth_;
-    if (nodes_.size() < size) nodes_.resize(size);
+    if (nodes_.size() < size) {
+      nodes_.reset(size);
+      stamp_ = 0;
+    }
     if (stamp_ == std::numeric_limits<std::uint32_t>::max()) {
       for (Node& node : nodes_) node.stamp = 0;
       stamp_ = 0;
@@ -60,7 +63,7 @@ class SearchSpace {
   }
 
  private:
-  std::vector<Node> nodes_;
+  ZeroedArray<Node> nodes_;
   std::uint32_t stamp_ = 0;
   std::uint32_t ny_ = 0;
   std::uint32_t depth_ = 1;
