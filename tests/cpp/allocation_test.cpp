@@ -4,6 +4,7 @@
 #include "allocations.hpp"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <cstdlib>
 #include <new>
@@ -14,13 +15,43 @@
 
 namespace {
 thread_local std::int64_t count = 0;
+thread_local std::int64_t taken = 0;  // bytes
+thread_local std::int64_t most_taken = 0;
+
+void* counted(void* memory) {
+  if (memory == nullptr) return memory;
+  ++count;
+  taken += static_cast<std::int64_t>(malloc_usable_size(memory));
+  if (taken > most_taken) most_taken = taken;
+  return memory;
+}
 
 void* take(std::size_t size) {
-  ++count;
   if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
   throw std::bad_alloc();
 }
 }  // namespace
+
+// The linker sends the whole program's calls here (`--wrap`): Eigen allocates without `new`.
+extern "C" {
+void* __real_malloc(std::size_t size);
+void* __real_calloc(std::size_t number, std::size_t size);
+void* __real_realloc(void* memory, std::size_t size);
+void __real_free(void* memory);
+
+void* __wrap_malloc(std::size_t size) { return counted(__real_malloc(size)); }
+void* __wrap_calloc(std::size_t number, std::size_t size) {
+  return counted(__real_calloc(number, size));
+}
+void* __wrap_realloc(void* memory, std::size_t size) {
+  taken -= static_cast<std::int64_t>(malloc_usable_size(memory));
+  return counted(__real_realloc(memory, size));
+}
+void __wrap_free(void* memory) {
+  taken -= static_cast<std::int64_t>(malloc_usable_size(memory));
+  __real_free(memory);
+}
+}
 
 // Replaces those of the whole program; the forms for arrays and `nothrow` end up here.
 void* operator new(std::size_t size) { return take(size); }
@@ -34,12 +65,28 @@ namespace ltp {
 
 std::int64_t test::allocations() { return count; }
 
+std::int64_t test::bytes() { return most_taken = taken; }
+
+std::int64_t test::most_bytes() { return most_taken; }
+
 namespace {
 
 TEST(Allocations, AreCounted) {
   const std::int64_t before = test::allocations();
-  const std::vector<int> vector(10);
-  EXPECT_EQ(test::allocations() - before, 1);
+  const std::int64_t taken_before = test::bytes();
+  {
+    const std::vector<int> vector(10);
+    const Path path(2, 3);
+    const void* volatile used = vector.data();  // else the compiler does without
+    used = path.data();
+    static_cast<void>(used);
+  }
+  const std::int64_t count = test::allocations() - before;
+  const std::int64_t most = test::most_bytes() - taken_before;
+  const std::int64_t left = test::bytes() - taken_before;
+  EXPECT_EQ(count, 2);
+  EXPECT_GE(most, static_cast<std::int64_t>(10 * sizeof(int) + 6 * sizeof(double)));
+  EXPECT_EQ(left, 0);
 }
 
 TEST(Allocations, TheMapMakesNoneOnceItExists) {
