@@ -10,7 +10,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['AraOptions', 'BezierOptions', 'BugOptions', 'Front', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'ParetoOptions', 'PathTally', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'WayPointEvent', 'closest_point', 'distance_field', 'flood_fill', 'inflate', 'path_length', 'penalty', 'planner_names', 'point_at', 'resample', 'tally']
+__all__: list[str] = ['AraOptions', 'BezierOptions', 'BugOptions', 'ConcurrentTrajectoryPlanner', 'Decision', 'Front', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'ParetoOptions', 'PathTally', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'WayPointEvent', 'closest_point', 'flood_fill', 'inflate', 'path_length', 'penalty', 'planner_names', 'point_at', 'resample', 'tally']
 class Pose:
     """
     Where a body is and how it is turned (world ENU, body x forward, y left, z up).
@@ -221,12 +221,6 @@ class Surface:
         The first hit nearer than max_range [m] of the ray from origin (3,) along the unit vector
         direction (3,). A ray that starts inside the solid hits at range 0.
         """
-    def cast_rays(self, origins: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], directions: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], max_range: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
-        """
-        (N,): ranges [m] of the rays from origins (N, 3) [m] along the unit vectors directions (N, 3),
-        both float64; inf: no hit nearer than max_range [m]. Neighbours with the same origin are cast
-        together, a thousand or more of them several times faster.
-        """
 class HeightSurface(Surface):
     """
     The exact surface of a height raster: each cell is a solid column from below everything up
@@ -436,7 +430,7 @@ class Scan:
     @property
     def misses(self) -> numpy.ndarray:
         """
-        (M, 3), where rays without a return end, at the maximum range [m]; a read-only view; empty if only counted
+        (M, 3), where rays without a return end, at the maximum range [m]; a read-only view
         """
     @property
     def origin(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -460,10 +454,10 @@ class Lidar:
         directions. NaN, 0, negative and -inf are invalid; +inf and anything at or beyond the
         maximum range is a miss.
         """
-    def scan(self, surface: Surface, pose: Pose, sequence: typing.SupportsInt | typing.SupportsIndex = 0, *, misses: bool = True) -> Scan:
+    def scan(self, surface: Surface, pose: Pose, sequence: typing.SupportsInt | typing.SupportsIndex = 0) -> Scan:
         """
         Scans a surface. sequence numbers the scan: noise differs from scan to scan and repeats from
-        run to run. misses=False only counts the misses, which saves about half of the time.
+        run to run.
         """
     @property
     def directions(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
@@ -1378,16 +1372,109 @@ class LocalTrajectoryPlanner:
     @property
     def way_points(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         ...
+class Decision:
+    """
+    What the planning thread decided on one scan's map.
+    """
+    __fields__: typing.ClassVar[tuple] = ('scan', 'status', 'path', 'path_id', 'way_point_index', 'events', 'plans', 'plans_made')
+    def __repr__(self) -> str:
+        ...
+    @property
+    def events(self) -> list[WayPointEvent]:
+        """
+        reached and dropped way-points, in order
+        """
+    @property
+    def path(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
+        """
+        (N, 3), the path to follow [m]
+        """
+    @property
+    def path_id(self) -> int:
+        """
+        as long as it stands, so does `path`
+        """
+    @property
+    def plans(self) -> list[PlanRecord]:
+        """
+        the planner's answers when it was last asked
+        """
+    @property
+    def plans_made(self) -> int:
+        """
+        since the beginning
+        """
+    @property
+    def scan(self) -> int:
+        """
+        number of the last scan that it knows, from 1; 0: none yet
+        """
+    @property
+    def status(self) -> NavigationStatus:
+        ...
+    @property
+    def way_point_index(self) -> int:
+        """
+        the way-point flown to
+        """
+class ConcurrentTrajectoryPlanner:
+    """
+    A LocalTrajectoryPlanner whose scans never wait for a plan: it plans on a thread of its own, on snapshots of the
+    map. Call it from one thread. If each scan is waited for, it decides as the LocalTrajectoryPlanner does.
+    """
+    def __init__(self, priority: Raster, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], *, planner: str = 'auto', planner_options: PlannerOptions = ..., map_options: ObstacleMapOptions = ..., options: NavigationOptions = ...) -> None:
+        """
+        As a LocalTrajectoryPlanner's.
+        """
+    def plan(self) -> bool:
+        """
+        Decides on the newest map, in the calling thread: instead of `start`. Whether there was a new one.
+        """
+    def sense(self, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], hits: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], misses: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"] = ...) -> InsertStatistics:
+        """
+        Adds a scan, as LocalTrajectoryPlanner does, and hands the map over to be planned on; the UAV is at its origin.
+        """
+    def set_way_points(self, way_points: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> None:
+        """
+        Replaces what is left of the global path from the next scan on; (N, 3), world [m].
+        """
+    def start(self) -> None:
+        """
+        Begins the planning thread.
+        """
+    def stop(self) -> None:
+        """
+        Ends the planning thread; interrupts a long search.
+        """
+    def wait(self, seconds: typing.SupportsFloat | typing.SupportsIndex = ...) -> bool:
+        """
+        Returns when the planning thread has decided on the last scan, or after so long [s]; whether it has. Raises
+        what it has raised.
+        """
+    @property
+    def blocked_at(self) -> float | None:
+        """
+        arc length of the last decision's path at which the newest map blocks it [m]; None if it is free
+        """
+    @property
+    def decision(self) -> Decision:
+        """
+        the newest one
+        """
+    @property
+    def map(self) -> ObstacleMap:
+        ...
+    @property
+    def scans(self) -> int:
+        """
+        sensed so far
+        """
+    @property
+    def way_points(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
+        ...
 def closest_point(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], from_arc_length: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], float, float]:
     """
     (point (3,), arc length [m], distance [m]) of the closest point of a polyline at or beyond an arc length.
-    """
-def distance_field(grid: OccupancyGrid, source: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], levels: tuple[typing.SupportsInt | typing.SupportsIndex, typing.SupportsInt | typing.SupportsIndex] | None = None) -> numpy.typing.NDArray[numpy.float64]:
-    """
-    float64 (nx, ny, nz): the length of the shortest path [m] from the centre of the cell that holds a point to the
-    centre of every cell, by the planners' 26 steps; inf where none leads. That cell counts as free itself. source:
-    (3,), world [m]. levels: (lowest, highest), the only ones to use, both included; default: all. ValueError if the
-    source is outside the grid or its levels, or these are not the grid's. Lets other threads run; Ctrl-C interrupts it.
     """
 def flood_fill(grid: OccupancyGrid, query: Query) -> numpy.typing.NDArray[numpy.bool]:
     """

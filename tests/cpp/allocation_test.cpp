@@ -5,41 +5,27 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
 #include <random>
 #include <vector>
 
 #include "ltp/mapping/obstacle_map.hpp"
 
-namespace {
-thread_local std::int64_t count = 0;
-
-void* take(std::size_t size) {
-  ++count;
-  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-}  // namespace
-
-// Replaces those of the whole program; the forms for arrays and `nothrow` end up here.
-void* operator new(std::size_t size) { return take(size); }
-void* operator new[](std::size_t size) { return take(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-
 namespace ltp {
-
-std::int64_t test::allocations() { return count; }
-
 namespace {
 
 TEST(Allocations, AreCounted) {
   const std::int64_t before = test::allocations();
-  const std::vector<int> vector(10);
-  EXPECT_EQ(test::allocations() - before, 1);
+  const std::int64_t taken_before = test::bytes();
+  {
+    const std::vector<int> vector(10);
+    const Path path(2, 3);
+  }
+  const std::int64_t count = test::allocations() - before;
+  const std::int64_t most = test::most_bytes() - taken_before;
+  const std::int64_t left = test::bytes() - taken_before;
+  EXPECT_EQ(count, 2);
+  EXPECT_GE(most, static_cast<std::int64_t>(10 * sizeof(int) + 6 * sizeof(double)));
+  EXPECT_EQ(left, 0);
 }
 
 TEST(Allocations, TheMapMakesNoneOnceItExists) {

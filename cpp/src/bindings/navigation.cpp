@@ -1,22 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The ltp authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Floor 4 in Python: the local trajectory planner that flies.
+// Floor 4 in Python: the local trajectory planner that flies, on one thread or on two.
+#include <algorithm>
+#include <limits>
+
 #include "bindings.hpp"
 #include "interrupt.hpp"
+#include "ltp/navigation/concurrent_trajectory_planner.hpp"
 #include "ltp/navigation/local_trajectory_planner.hpp"
 
 namespace {
 
 using Ltp = ltp::LocalTrajectoryPlanner;
+using Concurrent = ltp::ConcurrentTrajectoryPlanner;
 using Band = std::pair<double, double>;
 
-std::unique_ptr<Ltp> make(const ltp::Raster& priority, const ltp::Point& position,
-                          const std::string& planner, const ltp::PlannerOptions& planner_options,
-                          const ltp::ObstacleMapOptions& map_options,
-                          const ltp::NavigationOptions& options) {
+template <typename Kind>
+std::unique_ptr<Kind> make(const ltp::Raster& priority, const ltp::Point& position,
+                           const std::string& planner, const ltp::PlannerOptions& planner_options,
+                           const ltp::ObstacleMapOptions& map_options,
+                           const ltp::NavigationOptions& options) {
   ltp::check::finite("position", position);
-  return std::make_unique<Ltp>(ltp::make_planner(planner, planner_options), map_options, options,
-                               priority, position);
+  return std::make_unique<Kind>(ltp::make_planner(planner, planner_options), map_options, options,
+                                priority, position);
 }
 
 ltp::NavigationStatus update(Ltp& self, const ltp::Point& position) {
@@ -27,6 +33,75 @@ ltp::NavigationStatus update(Ltp& self, const ltp::Point& position) {
   }
   raise_pending_signal();
   return status;
+}
+
+/// In pieces, so that Ctrl-C gets through.
+bool wait(Concurrent& self, double seconds) {
+  constexpr double kPiece = 0.05;  // [s]
+  while (true) {
+    bool decided;
+    {
+      const py::gil_scoped_release release;
+      decided = self.wait(std::min(seconds, kPiece));
+    }
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    seconds -= kPiece;
+    if (decided || !(seconds > 0.0)) return decided;
+  }
+}
+
+void bind_concurrent(py::module_& m) {
+  const py::call_guard<py::gil_scoped_release> released;
+  auto decision = py::class_<ltp::Decision>(m, "Decision",
+                                            "What the planning thread decided on one scan's map.");
+  decision
+      .def_readonly("scan", &ltp::Decision::scan,
+                    "number of the last scan that it knows, from 1; 0: none yet")
+      .def_readonly("status", &ltp::Decision::status)
+      .def_property_readonly(
+          "path", [](const ltp::Decision& d) { return d.path; }, "(N, 3), the path to follow [m]")
+      .def_readonly("path_id", &ltp::Decision::path_id, "as long as it stands, so does `path`")
+      .def_readonly("way_point_index", &ltp::Decision::way_point_index, "the way-point flown to")
+      .def_readonly("events", &ltp::Decision::events, "reached and dropped way-points, in order")
+      .def_readonly("plans", &ltp::Decision::plans, "the planner's answers when it was last asked")
+      .def_readonly("plans_made", &ltp::Decision::plans_made, "since the beginning");
+  list_fields(decision, {"scan", "status", "path", "path_id", "way_point_index", "events", "plans",
+                         "plans_made"});
+
+  py::class_<Concurrent>(m, "ConcurrentTrajectoryPlanner",
+                         "A LocalTrajectoryPlanner whose scans never wait for a plan: it plans on "
+                         "a thread of its own, on snapshots of the\n"
+                         "map. Call it from one thread. If each scan is waited for, it decides as "
+                         "the LocalTrajectoryPlanner does.")
+      .def(py::init(&make<Concurrent>), "priority"_a, "position"_a, py::kw_only(),
+           "planner"_a = "auto", "planner_options"_a = ltp::PlannerOptions{},
+           "map_options"_a = ltp::ObstacleMapOptions{}, "options"_a = ltp::NavigationOptions{},
+           "As a LocalTrajectoryPlanner's.")
+      .def("set_way_points", &Concurrent::set_way_points, "way_points"_a,
+           "Replaces what is left of the global path from the next scan on; (N, 3), world [m].")
+      .def("sense", &Concurrent::sense, "origin"_a, "hits"_a, "misses"_a = ltp::Path(0, 3),
+           released,
+           "Adds a scan, as LocalTrajectoryPlanner does, and hands the map over to be planned on; "
+           "the UAV is at its origin.")
+      .def("start", &Concurrent::start, "Begins the planning thread.")
+      .def("stop", &Concurrent::stop, released,
+           "Ends the planning thread; interrupts a long search.")
+      .def(
+          "plan", &Concurrent::plan, released,
+          "Decides on the newest map, in the calling thread: instead of `start`. Whether there was "
+          "a new one.")
+      .def("wait", &wait, "seconds"_a = std::numeric_limits<double>::infinity(),
+           "Returns when the planning thread has decided on the last scan, or after so long [s]; "
+           "whether it has. Raises\n"
+           "what it has raised.")
+      .def_property_readonly("decision", &Concurrent::decision, py::return_value_policy::copy,
+                             "the newest one")
+      .def_property_readonly("blocked_at", &Concurrent::blocked_at,
+                             "arc length of the last decision's path at which the newest map "
+                             "blocks it [m]; None if it is free")
+      .def_property_readonly("scans", &Concurrent::scans, "sensed so far")
+      .def_property_readonly("way_points", &Concurrent::way_points, py::return_value_policy::copy)
+      .def_property_readonly("map", &Concurrent::map, py::return_value_policy::reference_internal);
 }
 
 }  // namespace
@@ -89,7 +164,7 @@ void bind_navigation(py::module_& m) {
                   "The loop that flies: way-points, scans and poses in; plan and status out. "
                   "Replans when the path is\n"
                   "blocked, left, or its way-point retired; drops a way-point only on proof.")
-      .def(py::init(&make), "priority"_a, "position"_a, py::kw_only(), "planner"_a = "auto",
+      .def(py::init(&make<Ltp>), "priority"_a, "position"_a, py::kw_only(), "planner"_a = "auto",
            "planner_options"_a = ltp::PlannerOptions{}, "map_options"_a = ltp::ObstacleMapOptions{},
            "options"_a = ltp::NavigationOptions{},
            "priority: Raster in [0, 1]. position: (3,) [m]. planner: a name of `planner_names()`.")
@@ -116,4 +191,6 @@ void bind_navigation(py::module_& m) {
       .def_property_readonly("way_points", &Ltp::way_points, py::return_value_policy::copy)
       .def_property_readonly("map", py::overload_cast<>(&Ltp::map),
                              py::return_value_policy::reference_internal);
+
+  bind_concurrent(m);
 }

@@ -37,6 +37,7 @@ void ObstacleMemory::remember(const OccupancyGrid& occupied) {
                    shift_to_hold(begin.y(), window.ny(), occupied_.frame().ny()), begin.z());
   if (shift != Cell::Zero()) {
     occupied_.roll(shift);
+    inflated_ = false;  // beyond the edge nothing was
     begin -= shift;
   }
   const int words = occupied.words_per_column();
@@ -44,18 +45,34 @@ void ObstacleMemory::remember(const OccupancyGrid& occupied) {
     // The columns of one x lie contiguously in both.
     const std::uint64_t* from = occupied.column(ix, 0);
     std::uint64_t* to = occupied_.column(begin.x() + ix, begin.y());
-    for (int i = 0; i < window.ny() * words; ++i) to[i] |= from[i];
+    for (int i = 0; i < window.ny() * words; ++i) {
+      const std::uint64_t added = from[i] & ~to[i];
+      if (added == 0) continue;
+      to[i] |= added;
+      if (inflated_) inflate(begin.x() + ix, begin.y() + i / words, i % words, added);
+    }
+  }
+}
+
+/// Blocks the surroundings of the cells that are bits of one word of a column.
+void ObstacleMemory::inflate(int ix, int iy, int word, std::uint64_t bits) {
+  for (; bits != 0; bits &= bits - 1) {
+    inflation_.add(Cell(ix, iy, 64 * word + __builtin_ctzll(bits)), blocked_);
   }
 }
 
 bool ObstacleMemory::seals(const Query& query) {
-  blocked_.roll(blocked_.frame().cell_of(occupied_.frame().centre(Cell::Zero())));  // same frame
-  inflation_.apply(occupied_, blocked_);
+  if (!inflated_) {
+    blocked_.roll(blocked_.frame().cell_of(occupied_.frame().centre(Cell::Zero())));  // same frame
+    inflation_.apply(occupied_, blocked_);
+    inflated_ = true;
+  }
   const GridFrame& frame = blocked_.frame();
   const Cell goal = frame.cell_of(query.goal);
   if (!frame.contains(goal) || blocked_.blocked(goal)) return false;
-  flood_.fill(blocked_, goal, levels_of(frame, query));
-  return !flood_.touched_edge() && !flood_.reached(frame.cell_of(query.start));
+  const Cell start = frame.cell_of(query.start);
+  flood_.fill(blocked_, goal, levels_of(frame, query), start);
+  return !flood_.touched_edge() && !flood_.reached(start);
 }
 
 }  // namespace ltp

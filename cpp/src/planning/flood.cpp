@@ -36,7 +36,8 @@ bool spread(std::uint64_t* reached, const std::uint64_t* blocked, const std::uin
 
 }  // namespace
 
-void Flood::fill(const OccupancyGrid& grid, const Cell& from, const LevelRange& levels) {
+void Flood::fill(const OccupancyGrid& grid, const Cell& from, const LevelRange& levels,
+                 const std::optional<Cell>& until) {
   const GridFrame& frame = grid.frame();
   if (!frame.contains(from) || from.z() < levels.lowest || from.z() > levels.highest) {
     check::fail("from", from.transpose(), "a cell inside the window and its levels");
@@ -72,6 +73,7 @@ void Flood::fill(const OccupancyGrid& grid, const Cell& from, const LevelRange& 
     std::uint64_t* here = reached_.data() + std::size_t{column} * words_;
     spread(here, grid.column(ix, iy), open_levels_.data(), words_);
     if (ix == 0 || iy == 0 || ix == nx_ - 1 || iy == ny_ - 1) touched_edge_ = true;
+    if (until && (touched_edge_ || reached(*until))) return;
 
     const int neighbours[4][2] = {{ix - 1, iy}, {ix + 1, iy}, {ix, iy - 1}, {ix, iy + 1}};
     for (const auto& [jx, jy] : neighbours) {

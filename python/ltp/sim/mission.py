@@ -171,7 +171,7 @@ def _priority(world: World, config: MissionConfig, path: NDArray[np.float64]) ->
 def _collision(
     surface: HeightSurface, before: NDArray[np.float64], after: NDArray[np.float64]
 ) -> tuple[float, float, float] | None:
-    segment = np.stack([before, after])
+    segment = np.array((before, after))
     arc = surface.first_collision(segment)
     if arc is None:
         return None

@@ -4,6 +4,8 @@
 // with.
 #pragma once
 
+#include <cstdint>
+
 #include "ltp/grid/occupancy_grid.hpp"
 #include "ltp/mapping/inflation.hpp"
 #include "ltp/planning/flood.hpp"
@@ -33,9 +35,12 @@ class ObstacleMemory {
   const OccupancyGrid& occupied() const { return occupied_; }
 
  private:
+  void inflate(int ix, int iy, int word, std::uint64_t bits);
+
   OccupancyGrid occupied_;
-  OccupancyGrid blocked_;  ///< scratch: the same, inflated
+  OccupancyGrid blocked_;  ///< the same, inflated, if `inflated_`
   Inflation inflation_;
+  bool inflated_ = false;  ///< from the first proof on, until the memory moves
   Flood flood_;
 };
 

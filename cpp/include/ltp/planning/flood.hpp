@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "ltp/grid/neighbourhood.hpp"
@@ -19,7 +20,10 @@ class Flood {
  public:
   /// Fills from a cell, which counts as free itself, over the free cells of the levels. Throws
   /// `std::invalid_argument` if the cell is outside the frame or the levels.
-  void fill(const OccupancyGrid& grid, const Cell& from, const LevelRange& levels);
+  /// @param until  if given, ends as soon as that cell is reached or the edge touched: then it is
+  /// not walled off
+  void fill(const OccupancyGrid& grid, const Cell& from, const LevelRange& levels,
+            const std::optional<Cell>& until = std::nullopt);
 
   bool reached(const Cell& cell) const;
   /// Whether the fill came to the edge of the window: what lies beyond is unknown, so it proves

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// `ConcurrentTrajectoryPlanner`: the loop that flies, mapping on one thread and planning on
+// another.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "ltp/mapping/obstacle_map.hpp"
+#include "ltp/navigation/navigator.hpp"
+#include "ltp/navigation/triple_buffer.hpp"
+
+namespace ltp {
+
+/// What the planning thread decided on one scan's map.
+struct Decision {
+  std::int64_t scan = 0;  ///< number of the last scan that it knows, from 1; 0: none yet
+  NavigationStatus status = NavigationStatus::Holding;
+  Path path = Path(0, 3);  ///< valid on that map (N, 3) [m]; empty when there is none
+  std::int64_t path_id = 0;
+  int way_point_index = 0;
+  std::vector<WayPointEvent> events;
+  std::vector<PlanRecord> plans;
+  std::int64_t plans_made = 0;
+  std::int64_t route = 0;  ///< counts the calls of `set_way_points` that it knows of
+};
+
+/// A `LocalTrajectoryPlanner` whose scans never wait for a plan. The thread of the sensor inserts a
+/// scan, publishes a snapshot of the window and reads the newest decision; the planning thread
+/// takes the newest snapshot, decides as a `Navigator` does, and publishes its decision. Both pass
+/// through triple buffers: no lock is held while mapping or planning, and a lock only to sleep and
+/// to wake. A decision holds on the map that it was made on; whether it still does on the newest
+/// one, the thread of the sensor checks with every scan (`blocked_at`).
+///
+/// All but `plan` is for one thread, that of the sensor. Either `start` the planning thread, or
+/// call `plan` yourself, from the same thread or another. If each scan is waited for, every
+/// decision is that of a `LocalTrajectoryPlanner` which is updated where the scans were made.
+class ConcurrentTrajectoryPlanner {
+ public:
+  /// As those of `LocalTrajectoryPlanner`.
+  ConcurrentTrajectoryPlanner(std::unique_ptr<Planner> planner,
+                              const ObstacleMapOptions& map_options,
+                              const NavigationOptions& options, Raster priority,
+                              const Point& position);
+  ~ConcurrentTrajectoryPlanner();
+
+  /// Replaces what is left of the global path, from the next scan on; until then there is no path.
+  /// Rows are way-points, world [m]; may be empty.
+  void set_way_points(const PathRef& way_points);
+
+  /// Adds a scan as `LocalTrajectoryPlanner` does and hands the map over; the UAV is where the rays
+  /// began [m]. Throws what the planning thread has thrown, if it has.
+  InsertStatistics sense(const Point& origin, const PathRef& hits, const PathRef& misses);
+
+  /// Takes the newest decision. It stands until the next call.
+  const Decision& decision();
+  /// The arc length of that decision's path [m] at which the newest map blocks it, ahead of the
+  /// UAV; empty if it is free, or an escape, which leads through blocked cells.
+  std::optional<double> blocked_at();
+
+  /// Decides on the newest snapshot. Whether there was a new one.
+  bool plan();
+
+  /// Begins and ends the planning thread; ending it interrupts a long search.
+  void start();
+  void stop();
+  /// Sleeps until the last scan has been decided on, at most so long [s]. Whether it has. Throws
+  /// what the planning thread has thrown.
+  bool wait(double seconds);
+
+  const Path& way_points() const { return way_points_; }
+  const ObstacleMap& map() const { return map_; }
+  std::int64_t scans() const { return scan_; }  ///< sensed so far
+
+ private:
+  struct Snapshot {
+    std::int64_t scan;
+    Point position;
+    std::int64_t version;  ///< of the map
+    OccupancyGrid occupied;
+    OccupancyGrid blocked;
+    std::int64_t route;  ///< number of the way-points
+    Path way_points;
+  };
+
+  void run();
+  void publish(std::int64_t scan);
+
+  // The sensor's thread.
+  ObstacleMap map_;
+  std::int64_t scan_ = 0;
+  std::int64_t version_ = 0;  ///< of the map
+  Point position_;            ///< of the last scan [m]
+  Path way_points_ = Path(0, 3);
+  std::int64_t route_ = 0;  ///< number of the way-points
+  Decision none_;           ///< what there is while the newest decision is about other way-points
+  const Decision* given_ = &none_;
+  std::int64_t flown_path_ = 0;  ///< `path_id` of the path that `progress_` is about
+  double progress_ = 0.0;        ///< arc length of it already flown [m]
+
+  // The planning thread.
+  Navigator navigator_;
+  OccupancyGrid known_;  ///< occupied cells of the snapshot decided on last
+  std::int64_t known_route_ = 0;
+
+  TripleBuffer<Snapshot> snapshots_;
+  TripleBuffer<Decision> decisions_;
+
+  std::mutex mutex_;  ///< of what follows; never held while mapping or planning
+  std::condition_variable news_;
+  std::int64_t published_ = 0;  ///< number of the newest snapshot
+  std::int64_t decided_ = 0;    ///< number of the newest snapshot decided on
+  std::exception_ptr failure_;
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
+
+}  // namespace ltp

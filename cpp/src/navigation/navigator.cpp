@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltp/navigation/navigator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "ltp/geometry/check.hpp"
+#include "ltp/geometry/polyline.hpp"
+
+namespace ltp {
+namespace {
+
+/// A way-point that takes so many plans may lie in a block larger than the window; then it is time
+/// for a proof.
+constexpr int kPlansBeforeProof = 5;
+
+double horizontal_diagonal(const GridFrame& frame) { return frame.cell().head<2>().norm(); }
+
+bool same_cell(const GridFrame& frame, const Point& a, const Point& b) {
+  return frame.cell_of(a) == frame.cell_of(b);
+}
+
+}  // namespace
+
+void NavigationOptions::check() const {
+  if (!(band.below >= 0.0)) check::fail("band.below", band.below, "a number >= 0");
+  if (!(band.above >= 0.0)) check::fail("band.above", band.above, "a number >= 0");
+  check::not_negative("reach_distance", reach_distance);
+  check::not_negative("leave_distance", leave_distance);
+  check::positive("escape_distance", escape_distance);
+  if (memory_widths < 1) check::fail("memory_widths", memory_widths, "a number >= 1");
+}
+
+std::string_view to_string(NavigationStatus status) {
+  switch (status) {
+    case NavigationStatus::Finished:
+      return "finished";
+    case NavigationStatus::Following:
+      return "following";
+    case NavigationStatus::Escaping:
+      return "escaping";
+    case NavigationStatus::Holding:
+      return "holding";
+  }
+  return "unknown";
+}
+
+Navigator::Navigator(std::unique_ptr<Planner> planner, const NavigationOptions& options,
+                     Raster priority, const GridFrame& window, double inflation_radius,
+                     const Point& position)
+    : planner_(std::move(planner)),
+      options_(options),
+      priority_(std::move(priority)),
+      leg_begin_(position),
+      memory_(window, options.memory_widths, inflation_radius) {
+  if (!planner_) check::fail("planner", "null", "a planner");
+  options_.check();
+  const double diagonal = horizontal_diagonal(window);
+  if (options_.reach_distance == 0.0) options_.reach_distance = diagonal;
+  if (options_.leave_distance == 0.0) options_.leave_distance = diagonal;
+}
+
+void Navigator::set_way_points(const PathRef& way_points) {
+  for (Eigen::Index i = 0; i < way_points.rows(); ++i) {
+    check::finite("way_points[" + std::to_string(i) + "]", Point(way_points.row(i).transpose()));
+  }
+  way_points_ = way_points;
+  next_ = 0;
+  events_.clear();
+  events_.reserve(way_points.rows());
+  give_up_path();
+  status_ = finished() ? NavigationStatus::Finished : NavigationStatus::Holding;
+  planned_on_ = kNoVersion;
+}
+
+void Navigator::set_priority(Raster priority) {
+  priority_ = std::move(priority);
+  give_up_path();  // it was made for the old one
+  planned_on_ = kNoVersion;
+}
+
+NavigationStatus Navigator::update(const MapView& map, const Point& position,
+                                   const std::function<bool()>& interrupted) {
+  check::finite("position", position);
+  take_reached(map, position);
+  if (finished()) return status_ = NavigationStatus::Finished;
+  if (must_replan(map, position)) replan(map, position, interrupted);
+  return status_;
+}
+
+/// Notes the end of a way-point and turns to the next one.
+void Navigator::retire(const MapView& map, bool reached, PlanStatus reason, const Point& position) {
+  events_.push_back(
+      {next_, reached, reason, position, way_point(next_), map.blocked.frame().origin()});
+  leg_begin_ = way_point(next_);
+  ++next_;
+  plans_for_way_point_ = 0;
+  give_up_path();
+}
+
+void Navigator::take_reached(const MapView& map, const Point& position) {
+  const double height = map.blocked.frame().cell().z();
+  while (!finished()) {
+    const Point offset = way_point(next_) - position;
+    const bool reached =
+        offset.head<2>().norm() <= options_.reach_distance && std::abs(offset.z()) <= height;
+    if (!reached) return;
+    retire(map, true, PlanStatus::Found, position);
+  }
+}
+
+bool Navigator::must_replan(const MapView& map, const Point& position) {
+  if (path_.rows() == 0) {
+    // Holding: the same map would give the same answer.
+    return status_ != NavigationStatus::Holding || map.version != planned_on_;
+  }
+  const ClosestPoint here = closest_point(path_, position, progress_);
+  progress_ = here.arc_length;
+  if (here.distance > options_.leave_distance) return true;
+  const bool arrived = (target_ - position).head<2>().norm() <= options_.reach_distance;
+  if ((stopover_ || status_ == NavigationStatus::Escaping) && arrived) return true;
+  // An escape leads through blocked cells; all that it must avoid is what was really hit.
+  const bool escaping = status_ == NavigationStatus::Escaping;
+  if (escaping) return false;
+  return map.blocked.first_blocked(path_, progress_).has_value();
+}
+
+void Navigator::give_up_path() {
+  path_.resize(0, 3);
+  ++path_id_;
+}
+
+void Navigator::follow(NavigationStatus status, const Path& path, const Point& target) {
+  status_ = status;
+  path_ = path;
+  target_ = target;
+  progress_ = 0.0;
+  ++path_id_;
+}
+
+void Navigator::replan(const MapView& map, const Point& position,
+                       const std::function<bool()>& interrupted) {
+  const GridFrame& frame = map.blocked.frame();
+  give_up_path();
+  plans_.clear();
+  planned_on_ = map.version;
+  while (!finished()) {
+    const Point goal = way_point(next_);
+    if (map.blocked.blocked_at(goal) && !same_cell(frame, goal, position)) {
+      retire(map, false, PlanStatus::GoalBlocked, position);  // proof: the map itself
+      continue;
+    }
+    if (map.blocked.blocked_at(position)) {
+      const std::optional<Point> out = escape_point(map, position);
+      if (!out) break;
+      Path path(2, 3);
+      path << position.transpose(), out->transpose();
+      return follow(NavigationStatus::Escaping, path, *out);
+    }
+
+    Query query{position, goal, options_.band, interrupted};
+    stopover_ = !frame.contains(goal);
+    if (stopover_) {
+      const std::optional<Point> target = target_inside(map, position, levels_of(frame, query));
+      if (!target) break;
+      query.goal = *target;
+    }
+    const bool overdue = plans_for_way_point_ > 0 && plans_for_way_point_ % kPlansBeforeProof == 0;
+    ++plans_for_way_point_;
+    if (overdue && !stopover_ && proved_unreachable(map, position, goal)) {
+      retire(map, false, PlanStatus::Unreachable, position);
+      continue;
+    }
+    plans_.push_back({next_, (query.goal - query.start).norm(),
+                      planner_->plan({map.blocked, priority_}, query)});
+    ++plans_made_;
+    const Plan& plan = plans_.back().plan;
+    if (plan.status == PlanStatus::Found) {
+      return follow(NavigationStatus::Following, plan.path, query.goal);
+    }
+    const bool claimed = plan.status == PlanStatus::Unreachable && planner_->complete();
+    if (stopover_ || !claimed || !proved_unreachable(map, position, goal)) break;
+    retire(map, false, PlanStatus::Unreachable, position);
+  }
+  status_ = finished() ? NavigationStatus::Finished : NavigationStatus::Holding;
+}
+
+bool Navigator::proved_unreachable(const MapView& map, const Point& position, const Point& goal) {
+  memory_.remember(map.occupied);
+  return memory_.seals({position, goal, options_.band, nullptr});
+}
+
+/// The last point of the leg to the way-point that lies inside the window and can be reached.
+std::optional<Point> Navigator::target_inside(const MapView& map, const Point& position,
+                                              const LevelRange& levels) {
+  const GridFrame& frame = map.blocked.frame();
+  flood_.fill(map.blocked, frame.cell_of(position), levels);
+  const Point goal = way_point(next_);
+  for (const Point& begin : {leg_begin_, position}) {
+    const Point leg = goal - begin;
+    const int count = static_cast<int>(std::ceil(leg.norm() / frame.cell().minCoeff()));
+    for (int i = count - 1; i > 0; --i) {
+      const Point candidate = begin + leg * (static_cast<double>(i) / count);
+      if (same_cell(frame, candidate, position)) continue;
+      if (flood_.reached(frame.cell_of(candidate))) return candidate;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The centre of the nearest free cell to which the straight way touches nothing that was hit.
+std::optional<Point> Navigator::escape_point(const MapView& map, const Point& position) const {
+  const OccupancyGrid& blocked = map.blocked;
+  const GridFrame& frame = blocked.frame();
+  const Cell own = frame.cell_of(position);
+  const LevelRange levels = levels_of(frame, {position, way_point(next_), options_.band});
+  OccupancyGrid occupied = map.occupied;
+  if (frame.contains(own)) occupied.set(own, false);  // its own cell counts as free
+  const Cell reach = (Point::Constant(options_.escape_distance).cwiseQuotient(frame.cell()))
+                         .array()
+                         .ceil()
+                         .matrix()
+                         .cast<int>();
+  std::optional<Point> nearest;
+  double distance = options_.escape_distance;
+  Path way(2, 3);
+  way.row(0) = position.transpose();
+  for (int dx = -reach.x(); dx <= reach.x(); ++dx) {
+    for (int dy = -reach.y(); dy <= reach.y(); ++dy) {
+      for (int level = levels.lowest; level <= levels.highest; ++level) {
+        const Cell cell(own.x() + dx, own.y() + dy, level);
+        if (!frame.contains(cell) || blocked.blocked(cell)) continue;
+        const Point centre = frame.centre(cell);
+        if ((centre - position).norm() >= distance) continue;
+        way.row(1) = centre.transpose();
+        if (occupied.first_blocked(way)) continue;
+        distance = (centre - position).norm();
+        nearest = centre;
+      }
+    }
+  }
+  return nearest;
+}
+
+}  // namespace ltp

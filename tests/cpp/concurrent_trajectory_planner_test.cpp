@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Mapping beside planning: the same decisions where each scan is waited for, safe ones where none
+// is.
+#include "ltp/navigation/concurrent_trajectory_planner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "allocations.hpp"
+#include "ltp/geometry/polyline.hpp"
+#include "ltp/navigation/local_trajectory_planner.hpp"
+#include "ltp/sensing/height_surface.hpp"
+#include "ltp/sensing/lidar.hpp"
+
+namespace ltp {
+namespace {
+
+constexpr double kStep = 0.3;       // 3 m/s at 10 Hz
+constexpr double kPatience = 60.0;  // [s]
+
+/// A street between blocks, and a tower in which a way-point lies.
+HeightSurface town() {
+  Raster::Values heights = Raster::Values::Zero(260, 160);
+  heights.block(60, 30, 20, 60) = 60.0;
+  heights.block(120, 70, 30, 60) = 60.0;
+  heights.block(170, 20, 24, 70) = 60.0;
+  return HeightSurface(Raster(heights, {0, 0}, 1.0));
+}
+
+Path route() {
+  Path points(4, 3);
+  points << 100, 60, 30, 135, 100, 30, 185, 60, 30, 240, 60, 30;
+  return points;
+}
+
+const Point kStart(20, 60, 30);
+
+ObstacleMapOptions small_map() {
+  ObstacleMapOptions options;
+  options.dims = {60, 60, 20};  // rolls often
+  return options;
+}
+
+Raster priority() {
+  Raster::Values values(130, 80);
+  for (int i = 0; i < 130; ++i) {
+    for (int j = 0; j < 80; ++j) values(i, j) = (i * 7 + j * 13) % 10 / 10.0;
+  }
+  return Raster(values, {0, 0}, 2.0);
+}
+
+/// Paths lead straight.
+Raster no_priority() { return Raster(Raster::Values::Zero(1, 1), {0, 0}, 1.0); }
+
+ConcurrentTrajectoryPlanner make_concurrent(std::string_view planner = "auto",
+                                            const Raster& priorities = priority()) {
+  return {make_planner(planner), small_map(), {}, priorities, kStart};
+}
+
+Lidar lidar() {
+  LidarOptions options;
+  options.pattern.azimuths = 180;
+  options.pattern.rows = 16;
+  return Lidar(options);
+}
+
+Eigen::Map<const Path> rows(const std::vector<Point>& points) {
+  return {points.empty() ? nullptr : points.front().data(),
+          static_cast<Eigen::Index>(points.size()), 3};
+}
+
+/// A world, its sensor, and a UAV that flies along whatever path there is, without inertia.
+struct Flight {
+  HeightSurface surface = town();
+  Lidar sensor = lidar();
+  Scan scan;
+  Point position = kStart;
+  std::uint64_t sequence = 0;
+  bool collided = false;
+
+  const Scan& look() {
+    Pose pose;
+    pose.position = position;
+    sensor.scan(surface, pose, sequence++, scan);
+    return scan;
+  }
+  void move(const Path& path) {
+    if (path.rows() == 0) return;
+    const Point next = point_at(path, closest_point(path, position).arc_length + kStep);
+    Path step(2, 3);
+    step << position.transpose(), next.transpose();
+    collided |= surface.first_collision(step).has_value();
+    position = next;
+  }
+};
+
+void expect_same_events(const std::vector<WayPointEvent>& a, const std::vector<WayPointEvent>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].index, b[i].index);
+    EXPECT_EQ(a[i].reached, b[i].reached);
+    EXPECT_EQ(a[i].reason, b[i].reason);
+    EXPECT_EQ(a[i].position, b[i].position);
+    EXPECT_EQ(a[i].window_origin, b[i].window_origin);
+  }
+}
+
+/// Flies both side by side; `decide` has the concurrent one decide on its last scan.
+template <typename Decide>
+void expect_the_same_flight(ConcurrentTrajectoryPlanner& concurrent, const Decide& decide) {
+  Flight flight;
+  LocalTrajectoryPlanner single(make_planner(), small_map(), {}, priority(), kStart);
+  single.set_way_points(route());
+  concurrent.set_way_points(route());
+  NavigationStatus status = NavigationStatus::Holding;
+  for (int step = 0; step < 4000 && status != NavigationStatus::Finished; ++step) {
+    const Scan& scan = flight.look();
+    single.sense(scan.origin, rows(scan.hits), rows(scan.misses));
+    status = single.update(flight.position);
+    concurrent.sense(scan.origin, rows(scan.hits), rows(scan.misses));
+    decide();
+    const Decision& decision = concurrent.decision();
+    ASSERT_EQ(decision.scan, step + 1);
+    ASSERT_EQ(decision.status, status);
+    ASSERT_EQ(decision.path, single.path()) << "step " << step;
+    ASSERT_EQ(decision.plans_made, single.plans_made());
+    ASSERT_EQ(decision.plans.size(), single.plans().size());
+    ASSERT_EQ(decision.way_point_index, single.way_point_index());
+    ASSERT_FALSE(concurrent.blocked_at().has_value());
+    flight.move(single.path());
+  }
+  EXPECT_EQ(status, NavigationStatus::Finished);
+  EXPECT_EQ(single.events().size(), 4u);
+  EXPECT_GT(single.plans_made(), 4);
+  expect_same_events(concurrent.decision().events, single.events());
+}
+
+TEST(ConcurrentTrajectoryPlanner, DecidesStepByStepAsTheSingleThreadedOneDoes) {
+  ConcurrentTrajectoryPlanner concurrent = make_concurrent();
+  expect_the_same_flight(concurrent, [&] {
+    EXPECT_TRUE(concurrent.plan());
+    EXPECT_FALSE(concurrent.plan()) << "nothing is new";
+  });
+}
+
+TEST(ConcurrentTrajectoryPlanner, DecidesOnAnotherThreadAsTheSingleThreadedOneDoes) {
+  ConcurrentTrajectoryPlanner concurrent = make_concurrent();
+  concurrent.start();
+  expect_the_same_flight(concurrent, [&] { ASSERT_TRUE(concurrent.wait(kPatience)); });
+}
+
+TEST(ConcurrentTrajectoryPlanner, FliesSafelyWithoutWaitingForItsPlans) {
+  Flight flight;
+  ConcurrentTrajectoryPlanner ltp = make_concurrent("lp-dijkstra");  // a slow one
+  ltp.set_way_points(route());
+  ltp.start();
+  std::int64_t stale = 0;
+  bool finished = false;
+  for (int step = 0; step < 20000 && !finished; ++step) {
+    const Scan& scan = flight.look();
+    ltp.sense(scan.origin, rows(scan.hits), rows(scan.misses));
+    const Decision& now = ltp.decision();
+    stale += now.scan < ltp.scans();
+    finished = now.status == NavigationStatus::Finished;
+    if (ltp.blocked_at()) continue;  // stays until there is a better one
+    flight.move(now.path);
+  }
+  EXPECT_TRUE(finished);
+  EXPECT_FALSE(flight.collided);
+  EXPECT_GT(stale, 0) << "else nothing ran side by side";
+  const std::vector<WayPointEvent>& events = ltp.decision().events;
+  ASSERT_EQ(events.size(), 4u);
+  for (const WayPointEvent& event : events) {
+    const bool inside = flight.surface.clearance(event.goal, 1.0) == 0.0;
+    EXPECT_EQ(event.reached, !inside) << "way-point " << event.index;
+  }
+}
+
+TEST(ConcurrentTrajectoryPlanner, FlagsAPathThatTheNewestScanBlocks) {
+  ConcurrentTrajectoryPlanner ltp = make_concurrent("auto", no_priority());
+  Path goal(1, 3);
+  goal << 50, 60, 30;
+  ltp.set_way_points(goal);
+  ltp.sense(kStart, Path(0, 3), Path(0, 3));
+  EXPECT_EQ(ltp.decision().path.rows(), 0) << "nothing is decided yet";
+  EXPECT_TRUE(ltp.plan());
+  EXPECT_EQ(ltp.decision().status, NavigationStatus::Following);
+  EXPECT_FALSE(ltp.blocked_at().has_value());
+  Path wall(60, 3);
+  for (int i = 0; i < 60; ++i) wall.row(i) << 41, 45 + 0.5 * i, 30;
+  ltp.sense(kStart, wall, Path(0, 3));
+  ASSERT_TRUE(ltp.blocked_at().has_value());
+  EXPECT_GT(*ltp.blocked_at(), 10.0);
+  EXPECT_LT(*ltp.blocked_at(), 21.0);
+  EXPECT_TRUE(ltp.plan());
+  EXPECT_FALSE(ltp.map().blocked().first_blocked(ltp.decision().path).has_value());
+  EXPECT_FALSE(ltp.blocked_at().has_value());
+}
+
+TEST(ConcurrentTrajectoryPlanner, ForgetsThePathToOldWayPointsAtOnce) {
+  ConcurrentTrajectoryPlanner ltp = make_concurrent();
+  ltp.set_way_points(route());
+  ltp.sense(kStart, Path(0, 3), Path(0, 3));
+  ltp.plan();
+  const std::int64_t old = ltp.decision().path_id;
+  ltp.set_way_points(route().bottomRows(1));
+  EXPECT_EQ(ltp.decision().status, NavigationStatus::Holding);
+  EXPECT_EQ(ltp.decision().path.rows(), 0);
+  EXPECT_NE(ltp.decision().path_id, old);
+  ltp.sense(kStart, Path(0, 3), Path(0, 3));
+  ltp.plan();
+  EXPECT_EQ(ltp.decision().status, NavigationStatus::Following);
+}
+
+TEST(ConcurrentTrajectoryPlanner, AllocatesNothingWhileAPlanStands) {
+  ConcurrentTrajectoryPlanner ltp = make_concurrent("auto", no_priority());
+  Path goal(1, 3);
+  goal << 70, 60, 30;
+  ltp.set_way_points(goal);
+  Point position = kStart;
+  for (int step = 0; step < 100; ++step, position.x() += kStep) {
+    const std::int64_t before = test::allocations();
+    ltp.sense(position, Path(0, 3), Path(0, 3));
+    const bool planned = ltp.plan();
+    const Decision& decision = ltp.decision();
+    ltp.blocked_at();
+    // Each of the three slots takes the path once.
+    if (step >= 3) {
+      EXPECT_EQ(test::allocations() - before, 0) << "step " << step;
+    }
+    EXPECT_TRUE(planned);
+    EXPECT_EQ(decision.plans_made, 1);
+  }
+}
+
+/// Throws when it is asked.
+class Broken final : public Planner {
+ public:
+  std::string_view name() const override { return "broken"; }
+  bool complete() const override { return false; }
+  Plan plan(const Scene&, const Query&) override { throw std::logic_error("broken"); }
+};
+
+TEST(ConcurrentTrajectoryPlanner, PassesOnWhatThePlanningThreadThrows) {
+  ConcurrentTrajectoryPlanner ltp(std::make_unique<Broken>(), small_map(), {}, priority(), kStart);
+  ltp.set_way_points(route());
+  ltp.start();
+  ltp.sense(kStart, Path(0, 3), Path(0, 3));
+  EXPECT_THROW(ltp.wait(kPatience), std::logic_error);
+  EXPECT_THROW(ltp.sense(kStart, Path(0, 3), Path(0, 3)), std::logic_error);
+}
+
+TEST(ConcurrentTrajectoryPlanner, WaitsNoLongerThanItIsTold) {
+  ConcurrentTrajectoryPlanner ltp = make_concurrent();
+  ltp.set_way_points(route());
+  EXPECT_TRUE(ltp.wait(0.0)) << "there is nothing to wait for";
+  ltp.sense(kStart, Path(0, 3), Path(0, 3));
+  EXPECT_FALSE(ltp.wait(0.01)) << "nobody plans";
+  ltp.start();
+  EXPECT_TRUE(ltp.wait(kPatience));
+  ltp.stop();
+  ltp.sense(kStart, Path(0, 3), Path(0, 3));
+  EXPECT_FALSE(ltp.wait(0.01));
+}
+
+}  // namespace
+}  // namespace ltp
