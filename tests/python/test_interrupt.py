@@ -96,7 +96,7 @@ def test_other_threads_run_while_a_planner_searches() -> None:
 
 def test_a_handler_that_does_not_raise_does_not_stop_the_search() -> None:
     scene, query = big_scene()
-    planner = ltp.make_planner("ggwp")
+    planner = ltp.make_planner("lp-dijkstra")
     calls: list[int] = []
     old = signal.signal(signal.SIGALRM, lambda number, _: calls.append(number))
     try:

@@ -2,12 +2,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ltp/planning/wavefront.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "ltp/planning/stopwatch.hpp"
 
 namespace ltp {
+namespace {
+
+/// The shortest way between two cells without obstacles [m]: the longest steps first.
+class OpenDistance {
+ public:
+  explicit OpenDistance(const Point& cell) : cell_(cell) {}
+  double operator()(const Cell& a, const Cell& b) const {
+    std::array<int, 3> steps = {std::abs(a.x() - b.x()), std::abs(a.y() - b.y()),
+                                std::abs(a.z() - b.z())};
+    const int all = std::min({steps[0], steps[1], steps[2]});
+    for (int& left : steps) left -= all;
+    double length = all * cell_.norm();
+    for (int axis = 0; axis < 3; ++axis) {  // one of them is used up
+      const int next = (axis + 1) % 3;
+      const int both = std::min(steps[axis], steps[next]);
+      length += both * std::hypot(cell_[axis], cell_[next]);
+      steps[axis] -= both;
+      steps[next] -= both;
+    }
+    for (int axis = 0; axis < 3; ++axis) length += steps[axis] * cell_[axis];
+    return length;
+  }
+
+ private:
+  Point cell_;
+};
+
+}  // namespace
 
 WavefrontPlanner::WavefrontPlanner(const PlannerOptions& options) : options_(options) {
   options.check();
@@ -17,7 +48,9 @@ Plan WavefrontPlanner::plan(const Scene& scene, const Query& query) {
   const Stopwatch watch;
   Plan plan;
   const auto [refused, cells] = resolve(scene, query);
-  plan.status = refused ? *refused : propagate(scene, query, cells, plan.stats);
+  plan.status = refused ? *refused
+                        : wave_.run(scene.occupancy, cells.levels, cells.goal, cells.start,
+                                    Budget(options_.max_expansions, query.interrupted), plan.stats);
   if (plan.status == PlanStatus::Found) {
     Path path = path_through(scene.occupancy.frame(), query, descend(scene, cells));
     accept(scene, query, cells, options_.weights, std::move(path), plan);
@@ -26,70 +59,34 @@ Plan WavefrontPlanner::plan(const Scene& scene, const Query& query) {
   return plan;
 }
 
-PlanStatus WavefrontPlanner::propagate(const Scene& scene, const Query& query,
-                                       const GridQuery& cells, SearchStats& stats) {
-  const GridFrame& frame = scene.occupancy.frame();
-  const std::array<double, kSteps> lengths = step_lengths(frame.cell());
-  const Budget budget(options_.max_expansions, query.interrupted);
-  space_.begin(frame, cells.levels);
-  const std::uint32_t start = space_.index(cells.start);
-  const std::uint32_t goal = space_.index(cells.goal);
-  space_.visit(goal).generation = 0;
-  front_.assign(1, goal);
-  ++stats.pushed;
-
-  for (std::int32_t generation = 1; !front_.empty(); ++generation) {
-    if (space_.visited(start)) return PlanStatus::Found;
-    next_.clear();
-    for (const std::uint32_t index : front_) {
-      ++stats.expanded;
-      if (budget.spent(stats.expanded)) return PlanStatus::OutOfBudget;
-      const Cell cell = space_.cell(index);
-      const double value = space_[index].value;
-      const std::uint32_t blocked = blocked_surroundings(scene.occupancy, cell, cells.levels);
-      for (int i = 0; i < kSteps; ++i) {
-        const Step& step = steps()[i];
-        if (blocked & step.box) continue;
-        const std::uint32_t other = space_.index(cell + Cell(step.dx, step.dy, step.dz));
-        Node& node = space_.visit(other);
-        if (node.generation < 0) {
-          node.generation = generation;
-          node.value = value + lengths[i];
-          next_.push_back(other);
-          ++stats.pushed;
-        } else if (node.generation == generation && value + lengths[i] < node.value) {
-          node.value = value + lengths[i];
-        }
-      }
-    }
-    front_.swap(next_);
-  }
-  return PlanStatus::Unreachable;
-}
-
-std::vector<Cell> WavefrontPlanner::descend(const Scene& scene, const GridQuery& cells) {
+std::vector<Cell> WavefrontPlanner::descend(const Scene& scene, const GridQuery& cells) const {
   const std::array<double, kSteps> lengths = step_lengths(scene.occupancy.frame().cell());
+  const OpenDistance open(scene.occupancy.frame().cell());
   std::vector<Cell> chain{cells.start};
+  int here = wave_.generation();
   while (chain.back() != cells.goal) {
     const Cell cell = chain.back();
     const std::uint32_t blocked = blocked_surroundings(scene.occupancy, cell, cells.levels);
-    // The cell's own parent offers its value exactly, so the best offer is never higher and the
-    // value falls at every step: the descent ends at the goal, no longer than the wave's own path.
     double best = std::numeric_limits<double>::infinity();
     Cell next = cell;
+    int gone = 0;
     for (int i = 0; i < kSteps; ++i) {
       const Step& step = steps()[i];
       if (blocked & step.box) continue;
       const Cell candidate = cell + Cell(step.dx, step.dy, step.dz);
-      const std::uint32_t index = space_.index(candidate);
-      if (!space_.visited(index)) continue;
-      const double offer = space_[index].value + lengths[i];
-      if (offer < best) {
-        best = offer;
+      const int earlier = wave_.earlier(candidate, here);
+      if (earlier == 0) continue;
+      // A generation is counted when it begins, so what is left is half a one less on average.
+      const double left =
+          std::max(open(candidate, cells.goal), wave_.pace() * (here - earlier - 0.5));
+      if (lengths[i] + left < best) {
+        best = lengths[i] + left;
         next = candidate;
+        gone = earlier;
       }
     }
-    assert(next != cell);
+    assert(gone > 0);  // the wave came from somewhere
+    here -= gone;
     chain.push_back(next);
   }
   return chain;

@@ -4,6 +4,7 @@
 // path.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -63,6 +64,15 @@ class Budget {
   bool spent(std::int64_t expanded) const {
     if (limit_ > 0 && expanded >= limit_) return true;
     return interrupted_ && (expanded & kAskEvery) == kAskEvery && interrupted_();
+  }
+  /// The same where many cells are expanded at once, `before` of them when it was last asked.
+  bool spent_since(std::int64_t before, std::int64_t expanded) const {
+    if (limit_ > 0 && expanded >= limit_) return true;
+    return interrupted_ && before / (kAskEvery + 1) != expanded / (kAskEvery + 1) && interrupted_();
+  }
+  /// No more than there may be.
+  std::int64_t capped(std::int64_t expanded) const {
+    return limit_ > 0 ? std::min(limit_, expanded) : expanded;
   }
 
  private:
