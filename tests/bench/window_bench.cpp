@@ -27,9 +27,9 @@ void roll(benchmark::State& state, int axis) {
     benchmark::DoNotOptimize(map.recentre(away ? there : kMiddle));
   }
 }
-BENCHMARK_CAPTURE(roll, x / ltp, 0)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(roll, y / ltp, 1)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(roll, z / ltp, 2)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(roll, x, 0)->Name("roll/x/ltp")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(roll, y, 1)->Name("roll/y/ltp")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(roll, z, 2)->Name("roll/z/ltp")->Unit(benchmark::kMicrosecond);
 
 /// Moving what the map holds by one row: occupied, blocked, and the voxels of half their height.
 void roll_floor(benchmark::State& state) {

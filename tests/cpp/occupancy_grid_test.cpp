@@ -77,11 +77,19 @@ TEST(OccupancyGrid, RemembersWhatIsSet) {
 TEST(OccupancyGrid, IsFreeOutside) {
   OccupancyGrid grid(frame_of(2, 2, 2));
   for (std::int64_t i = 0; i < grid.frame().size(); ++i) grid.set(grid.frame().cell_at(i));
-  for (const Point& point : {Point(-4.1, 8, 3), Point(0, 8, 3), Point(-3, 8, 10), Point(kNan, 8, 3),
-                             Point(-3, kInfinity, 3), Point(-3, 8, -1e300)}) {
-    EXPECT_FALSE(grid.blocked_at(point)) << point.transpose();
+  const Path points = rows({{-4.1, 8, 3},
+                            {0, 8, 3},
+                            {-3, 8, 10},
+                            {kNan, 8, 3},
+                            {-3, kInfinity, 3},
+                            {-3, 8, -1e300},
+                            {-4, 7, 2}});
+  bool at_once[7];
+  grid.blocked_at(points, at_once);
+  for (Eigen::Index i = 0; i < 7; ++i) {
+    EXPECT_EQ(grid.blocked_at(points.row(i).transpose()), i == 6) << points.row(i);
+    EXPECT_EQ(at_once[i], i == 6) << points.row(i);
   }
-  EXPECT_TRUE(grid.blocked_at(Point(-4, 7, 2)));
 }
 
 /// What rolling means, cell by cell.

@@ -45,7 +45,7 @@ void GridFrame::prepare_axes() {
     // every point is in doubt.
     const double farthest = std::abs<double>(first_[axis]) + dims_[axis];
     const bool usable = farthest < kFarthestCell && doubt < 0.5 * kOne;
-    const std::int64_t half = usable ? static_cast<std::int64_t>(doubt) : kOne / 2;
+    const std::uint64_t half = usable ? static_cast<std::uint64_t>(doubt) : kOne / 2;
     axes_[axis] = {low[axis], scale, 0x1p52 + static_cast<double>(half),
                    kZeroBits + dims_[axis] * kOne - 1, 2 * half};
   }

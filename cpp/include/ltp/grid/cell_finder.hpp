@@ -34,7 +34,7 @@ class CellFinder {
       const Eigen::Index count = std::min(kBlock, points.rows() - begin);
       locate(points.data() + begin * points.outerStride(), points.outerStride(), count, block);
       for (Eigen::Index i = 0; i < count; ++i) {
-        if (block.unsure[i] < 0) {
+        if (block.unsure[i] >> 63 != 0) {
           unsure(begin + i);
         } else {
           found(begin + i,
@@ -48,11 +48,11 @@ class CellFinder {
   static constexpr Eigen::Index kBlock = 64;
   // Two numbers in one of the registers that every x86-64 and ARM machine has.
   using Reals = double __attribute__((vector_size(16)));
-  using Integers = std::int64_t __attribute__((vector_size(16)));
+  using Integers = std::uint64_t __attribute__((vector_size(16)));
 
   struct Block {
-    alignas(16) std::array<std::array<std::int64_t, kBlock>, 3> cell;
-    alignas(16) std::array<std::int64_t, kBlock> unsure;  ///< negative: not certain
+    alignas(16) std::array<std::array<std::uint64_t, kBlock>, 3> cell;
+    alignas(16) std::array<std::uint64_t, kBlock> unsure;  ///< the highest bit says so
   };
 
   void locate(const double* points, Eigen::Index stride, Eigen::Index count, Block& block) const {
@@ -67,7 +67,8 @@ class CellFinder {
         const Reals delta = point[axis] - centre_[axis];
         square += delta * delta;
       }
-      const Integers unsure = GridFrame::locate(axes_, point, cell) | ~(square < square_);
+      const Integers outside = reinterpret_cast<Integers>(~(square < square_));
+      const Integers unsure = GridFrame::locate(axes_, point, cell) | outside;
       std::memcpy(&block.unsure[i], &unsure, sizeof(unsure));
       for (int axis = 0; axis < 3; ++axis) {
         std::memcpy(&block.cell[axis][i], &cell[axis], sizeof(cell[axis]));

@@ -88,33 +88,34 @@ class GridFrame {
   friend class CellFinder;
 
   static constexpr int kBits = 20;  ///< of the fixed point, behind the point
-  static constexpr std::int64_t kOne = std::int64_t{1} << kBits;
-  static constexpr std::int64_t kZeroBits = 0x4330000000000000;  ///< of 2^52
+  static constexpr std::uint64_t kOne = std::uint64_t{1} << kBits;
+  static constexpr std::uint64_t kZeroBits = 0x4330000000000000;  ///< of 2^52
 
   /// What it takes to round along one axis in fixed point: the upper bits are the cell, the lower
   /// ones say how near its faces are.
   struct Axis {
-    double origin;       ///< of the window [m]
-    double scale;        ///< fixed point units a metre
-    double zero;         ///< 2^52 and half the doubt [units]
-    std::int64_t last;   ///< the bits of the window's end
-    std::int64_t doubt;  ///< twice the distance to a face from which on `round` decides [units]
+    double origin;        ///< of the window [m]
+    double scale;         ///< fixed point units a metre
+    double zero;          ///< 2^52 and half the doubt [units]
+    std::uint64_t last;   ///< the bits of the window's end
+    std::uint64_t doubt;  ///< twice the distance to a face from which on `round` decides [units]
 
     /// Doubts more: what is sure then is so for any point that is nearer than this [m].
     void blur(double metres) {
-      const double more = std::min(std::ceil(metres * scale), 0.5 * kOne);
+      const double more = std::min(0.5 * kOne, std::ceil(metres * scale));  // the former for NaN
       zero += more;
-      doubt += 2 * static_cast<std::int64_t>(more);
+      doubt += 2 * static_cast<std::uint64_t>(more);
     }
   };
 
   /// The cell of nearly every point in the window, at a third of the price of `round`, for one
-  /// point or, with vectors for numbers, for several. Negative where rounding could matter - next
-  /// to a face, outside the window, NaN - so that the two never disagree.
+  /// point or, with vectors for numbers, for several. The result's highest bit is set where
+  /// rounding could matter - next to a face, outside the window, NaN - so that the two never
+  /// disagree. `cell` goes to `cell_in`.
   template <typename Integer, typename Real>
   static Integer locate(const std::array<Axis, 3>& axes, const std::array<Real, 3>& point,
                         std::array<Integer, 3>& cell) {
-    Integer unsure{};  // its sign counts
+    Integer unsure{};
     for (int i = 0; i < 3; ++i) {
       const Axis& axis = axes[i];
       // A double of 2^52 and more holds one unit a bit.
@@ -126,16 +127,16 @@ class GridFrame {
     }
     return unsure;
   }
-  static Cell cell_in(std::int64_t x, std::int64_t y, std::int64_t z) {
+  static Cell cell_in(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
     return Cell(static_cast<int>(x >> kBits), static_cast<int>(y >> kBits),
                 static_cast<int>(z >> kBits));
   }
   bool locate(const Point& point, Cell& cell) const {
-    std::array<std::int64_t, 3> bits;
-    const bool sure =
-        locate(axes_, std::array<double, 3>{point.x(), point.y(), point.z()}, bits) >= 0;
+    std::array<std::uint64_t, 3> bits;
+    const std::uint64_t unsure =
+        locate(axes_, std::array<double, 3>{point.x(), point.y(), point.z()}, bits);
     cell = cell_in(bits[0], bits[1], bits[2]);
-    return sure;
+    return unsure >> 63 == 0;
   }
   /// Rounds down what was divided: slow, and right by definition.
   Cell round(const Point& point) const;
