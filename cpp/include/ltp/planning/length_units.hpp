@@ -23,7 +23,7 @@ class LengthUnits {
 
   /// @param longest  that must fit [m]
   explicit LengthUnits(double longest)
-      : per_metre_(std::exp2(std::floor(kBits - 1 - std::log2(longest)))) {}
+      : per_metre_(std::exp2(std::min(std::floor(kBits - 1 - std::log2(longest)), 1000.0))) {}
 
   /// At least one unit, so that every step costs something.
   std::uint64_t operator()(double metres) const {
