@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The planner on a thread of its own, from Python."""
+
+import numpy as np
+import pytest
+
+import ltp
+
+START = np.array([20.0, 60.0, 30.0])
+
+
+def options() -> ltp.ObstacleMapOptions:
+    return ltp.ObstacleMapOptions(dims=[80, 80, 20])
+
+
+def priority() -> ltp.Raster:
+    return ltp.Raster(np.zeros((1, 1)), origin=(0.0, 0.0), cell=1.0)
+
+
+def make(kind: type = ltp.ConcurrentTrajectoryPlanner, **values):
+    planner = kind(priority(), START, map_options=options(), **values)
+    planner.set_way_points(np.array([[110.0, 60.0, 30.0], [150.0, 90.0, 30.0]]))
+    return planner
+
+
+def tower() -> ltp.HeightSurface:
+    heights = np.zeros((200, 160))
+    heights[60:80, 40:90] = 60.0
+    return ltp.HeightSurface(ltp.Raster(heights, origin=(0.0, 0.0), cell=1.0))
+
+
+def test_each_scan_waited_for_gives_the_flight_of_one_thread() -> None:
+    surface, lidar = tower(), ltp.Lidar()
+    one, two = make(ltp.LocalTrajectoryPlanner), make()
+    two.start()
+    position = START
+    for tick in range(2000):
+        scan = lidar.scan(surface, ltp.Pose(position), tick)
+        one.sense(scan.origin, scan.hits)
+        status = one.update(position)
+        two.sense(scan.origin, scan.hits)
+        assert two.wait()
+        decision = two.decision
+        assert decision.scan == two.scans == tick + 1
+        assert decision.status == status
+        assert np.array_equal(decision.path, one.path)
+        assert decision.plans_made == one.plans_made
+        assert decision.way_point_index == one.way_point_index
+        assert two.blocked_at is None
+        if status == ltp.NavigationStatus.FINISHED:
+            break
+        path = one.path
+        _, arc, _ = ltp._core.closest_point(path, position)
+        position = ltp._core.point_at(path, arc + 0.5)
+    assert status == ltp.NavigationStatus.FINISHED
+    assert [event.reached for event in two.decision.events] == [True, True]
+    assert one.plans_made > 2
+
+
+def test_without_a_thread_it_plans_when_it_is_told_to() -> None:
+    planner = make()
+    planner.sense(START, np.empty((0, 3)))
+    assert planner.decision.scan == 0
+    assert planner.decision.status == ltp.NavigationStatus.HOLDING
+    assert not planner.wait(0.01)
+    assert planner.plan()
+    assert not planner.plan()
+    assert planner.decision.status == ltp.NavigationStatus.FOLLOWING
+    wall = np.array([[50.0, y, 30.0] for y in np.arange(40.0, 80.0, 0.5)])
+    planner.sense(START, wall)
+    assert 20.0 < planner.blocked_at < 30.0
+
+
+def test_a_decision_is_a_copy_that_stays() -> None:
+    planner = make()
+    planner.sense(START, np.empty((0, 3)))
+    planner.plan()
+    decision = planner.decision
+    planner.set_way_points(np.empty((0, 3)))
+    planner.sense(START, np.empty((0, 3)))
+    planner.plan()
+    assert planner.decision.status == ltp.NavigationStatus.FINISHED
+    assert decision.status == ltp.NavigationStatus.FOLLOWING
+    assert len(decision.path) >= 2
+
+
+def test_strange_way_points_are_refused() -> None:
+    with pytest.raises(ValueError, match="way_points"):
+        make().set_way_points(np.array([[np.nan, 0.0, 0.0]]))
