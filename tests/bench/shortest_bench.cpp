@@ -3,7 +3,6 @@
 // Shortest paths through a city of boxes: one query, Dijkstra's way too, the whole field, and the
 // proof that there is no way.
 #include <benchmark/benchmark.h>
-#include <time.h>
 
 #include <algorithm>
 #include <functional>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "box_city.hpp"
+#include "each_query.hpp"
 #include "ltp/planning/distance_field.hpp"
 #include "ltp/planning/planner.hpp"
 
@@ -22,38 +22,6 @@ namespace {
 
 const std::function<bool()> kNever;
 const LevelRange kAllLevels{0, kCityFrame.nz() - 1};
-
-/// Processor time of this thread [s].
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// Answers all queries in each iteration. Counters: median and worst over the queries, each at its
-/// best; cells settled a query, and the time of each.
-/// @param answer  returns how many cells a query settled
-void each_query(benchmark::State& state, const std::vector<Query>& queries,
-                const std::function<std::int64_t(const Query&)>& answer) {
-  std::vector<double> best(queries.size(), std::numeric_limits<double>::infinity());
-  double settled = 0.0;
-  double spent = 0.0;
-  for (auto _ : state) {
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      const double begin = cpu_seconds();
-      settled += static_cast<double>(answer(queries[i]));
-      const double seconds = cpu_seconds() - begin;
-      best[i] = std::min(best[i], seconds);
-      spent += seconds;
-    }
-  }
-  std::sort(best.begin(), best.end());
-  state.counters["median_ms"] = 1e3 * best[best.size() / 2];
-  state.counters["worst_ms"] = 1e3 * best.back();
-  state.counters["settled"] =
-      settled / static_cast<double>(state.iterations()) / static_cast<double>(queries.size());
-  state.counters["ns_a_cell"] = 1e9 * spent / settled;
-}
 
 /// The whole of `plan()`.
 void plan(benchmark::State& state, const std::string& name, double priority_weight,
@@ -141,7 +109,7 @@ void field(benchmark::State& state) {
   }
   const auto settled = static_cast<double>(stats.expanded);
   state.counters["settled"] = settled / static_cast<double>(state.iterations());
-  state.counters["ns_a_cell"] = 1e9 * (cpu_seconds() - begin) / settled;
+  state.counters["a_cell"] = (cpu_seconds() - begin) / settled;
 }
 BENCHMARK(field)->Name("distance_field/ltp")->Unit(benchmark::kMillisecond);
 

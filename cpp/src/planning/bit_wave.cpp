@@ -25,8 +25,71 @@ void transpose(std::array<std::uint64_t, 64>& rows) {
 }
 
 /// A row's bits moved by one cell to either side, both or'ed.
-std::uint64_t beside(std::uint64_t before, std::uint64_t here, std::uint64_t after) {
+inline std::uint64_t beside(std::uint64_t before, std::uint64_t here, std::uint64_t after) {
   return here << 1 | before >> 63 | here >> 1 | after << 63;
+}
+
+// Compiled for several processors, of which the best is chosen at run time. On integers all of them
+// give the same.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define LTP_FOR_WIDE_REGISTERS \
+  __attribute__((target_clones("default", "popcnt", "avx2", "arch=x86-64-v4")))
+#else
+#define LTP_FOR_WIDE_REGISTERS
+#endif
+
+/// Of `count` levels, what the words of x - 1, x and x + 1 lend to the middle one. `along` and
+/// `across` are the distances to the next word along y and along x.
+struct Words {
+  const std::uint64_t* free;
+  const std::uint64_t* reached;
+  std::ptrdiff_t along, across;
+  int count;
+};
+
+/// A step along each axis whose mask is not 0. Returns what may still be reached, or'ed.
+LTP_FOR_WIDE_REGISTERS std::uint64_t spread_straight(const Words& words, std::uint64_t x,
+                                                     std::uint64_t y, std::uint64_t z,
+                                                     std::uint64_t* added) {
+  const std::uint64_t* const at = words.reached;
+  const std::ptrdiff_t along = words.along;
+  const std::ptrdiff_t across = words.across;
+  std::uint64_t any = 0;
+  for (int i = 0; i < words.count; ++i) {
+    const std::uint64_t grown = (beside(at[i - along], at[i], at[i + along]) & y) |
+                                ((at[i - 1] | at[i + 1]) & z) |
+                                ((at[i - across] | at[i + across]) & x);
+    const std::uint64_t waiting = words.free[i] & ~at[i];
+    any |= waiting;
+    added[i] = grown & waiting;
+  }
+  return any;
+}
+
+/// A diagonal step of the plane: both cells that it squeezes past must be free.
+LTP_FOR_WIDE_REGISTERS void spread_diagonally(const Words& words, std::uint64_t* added) {
+  const std::ptrdiff_t along = words.along;
+  for (const std::ptrdiff_t across : {-words.across, words.across}) {
+    const std::uint64_t* const other = words.reached + across;
+    for (int i = 0; i < words.count; ++i) {
+      const std::uint64_t* const free = words.free + i;
+      const std::uint64_t waiting = *free & ~words.reached[i];
+      added[i] |= beside(other[i - along] & free[-along], other[i] & *free,
+                         other[i + along] & free[along]) &
+                  free[across] & waiting;
+    }
+  }
+}
+
+/// Returns how many bits were added.
+LTP_FOR_WIDE_REGISTERS std::int64_t take(const std::uint64_t* added, int count,
+                                         std::uint64_t* reached) {
+  std::int64_t bits = 0;
+  for (int i = 0; i < count; ++i) {
+    reached[i] |= added[i];
+    bits += __builtin_popcountll(added[i]);
+  }
+  return bits;
 }
 
 bool passes(double rate, int generation) {
@@ -54,15 +117,17 @@ void BitWave::begin(const OccupancyGrid& grid, const LevelRange& levels) {
   }
   planes_ = 1;
   while ((1 << planes_) <= 2 * most) ++planes_;
-  const std::size_t size =
-      static_cast<std::size_t>(frame.nx() + 2) * (count + 2) * static_cast<std::size_t>(words + 2);
+  const std::size_t columns = static_cast<std::size_t>(frame.nx() + 2) * (words + 2);
+  const std::size_t size = columns * (count + 2);
   if (frame.nx() != nx_ || count != levels_ || words != words_) {
     nx_ = frame.nx();
     levels_ = count;
     words_ = words;
     free_.assign(size, 0);
     reached_.assign(size, 0);
-    extents_.assign(static_cast<std::size_t>(nx_ + 2) * (count + 2), Extent{kFar, -kFar});
+    added_.resize(size);
+    extents_.assign(columns, {kFar, -kFar});
+    full_.assign(columns, 0);
   }
   if (numbers_.size() < size * planes_) numbers_.resize(size * planes_);
   prepared_low_ = 0;
@@ -82,12 +147,18 @@ void BitWave::prepare(const OccupancyGrid& grid, int x_low, int x_high) {
 }
 
 void BitWave::prepare_row(const OccupancyGrid& grid, int ix) {
-  const std::size_t row = row_of(ix, 0);
-  const std::size_t first = begin_of(row);
-  const std::size_t size = static_cast<std::size_t>(levels_) * (words_ + 2);
-  std::fill_n(extents_.begin() + static_cast<std::ptrdiff_t>(row), levels_, Extent{kFar, -kFar});
-  std::fill_n(reached_.begin() + static_cast<std::ptrdiff_t>(first), size, 0);
-  std::fill_n(numbers_.begin() + static_cast<std::ptrdiff_t>(first * planes_), size * planes_, 0);
+  const auto at = [](auto& values, std::size_t i) {
+    return values.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  const std::size_t column = column_of(ix, 0);
+  const std::size_t first = begin_of(column) - 1;
+  const std::size_t size = static_cast<std::size_t>(words_) * (levels_ + 2);
+  std::fill_n(at(extents_, column), words_, Extent{kFar, -kFar});
+  std::fill_n(at(full_, column), words_, 0);
+  std::fill_n(at(reached_, first), size, 0);
+  for (int plane = 0; plane < planes_; ++plane) {
+    std::fill_n(at(numbers_, plane * free_.size() + first), size, 0);
+  }
   std::array<std::uint64_t, 64> block;
   for (int word = 0; word < words_; ++word) {
     const int lines = std::min(64, ny_ - 64 * word);
@@ -101,11 +172,11 @@ void BitWave::prepare_row(const OccupancyGrid& grid, int ix) {
       if (count == 1) {
         std::uint64_t bits = 0;
         for (int line = 0; line < lines; ++line) bits |= (block[line] & 1u) << line;
-        free_[begin_of(row + done) + word] = bits;
+        free_[begin_of(column + word) + done] = bits;
       } else {
         std::fill(block.begin() + lines, block.end(), 0);
         transpose(block);
-        for (int i = 0; i < count; ++i) free_[begin_of(row + done + i) + word] = block[i];
+        std::copy_n(block.begin(), count, at(free_, begin_of(column + word) + done));
       }
       done += count;
     }
@@ -123,41 +194,32 @@ BitWave::Pattern BitWave::pattern(int generation) const {
 
 /// Collects in `added_` what one generation reaches.
 void BitWave::spread(const Pattern& steps) {
-  const std::size_t up = words_ + 2;
-  const std::size_t along = up * (levels_ + 2);
-  added_.clear();
-  for (int ix = std::max(box_.x_low - 1, 0); ix <= std::min(box_.x_high + 1, nx_ - 1); ++ix) {
-    for (int level = std::max(box_.level_low - 1, 0);
-         level <= std::min(box_.level_high + 1, levels_ - 1); ++level) {
-      const std::size_t row = row_of(ix, level);
-      Extent extent = extents_[row];
-      for (const std::size_t other : {row - 1, row + 1, row - levels_ - 2, row + levels_ + 2}) {
-        extent.low = std::min(extent.low, extents_[other].low);
-        extent.high = std::max(extent.high, extents_[other].high);
+  const auto mask = [](bool taken) { return taken ? ~std::uint64_t{0} : 0; };
+  const std::size_t across = words_ + 2;  // columns to the next x
+  touched_.clear();
+  for (int ix = std::max(reached_low_ - 1, 0); ix <= std::min(reached_high_ + 1, nx_ - 1); ++ix) {
+    for (int word = 0; word < words_; ++word) {
+      const std::size_t column = column_of(ix, word);
+      if (full_[column]) continue;
+      Extent levels = extents_[column];
+      for (const std::size_t other : {column - 1, column + 1, column - across, column + across}) {
+        levels.low = std::min(levels.low, extents_[other].low);
+        levels.high = std::max(levels.high, extents_[other].high);
       }
-      if (extent.low > extent.high) continue;
-      const int last = std::min(extent.high + 1, ny_ - 1) >> 6;
-      for (int word = std::max(extent.low - 1, 0) >> 6; word <= last; ++word) {
-        const std::uint64_t* const free = free_.data() + begin_of(row) + word;
-        const std::uint64_t* const at = reached_.data() + begin_of(row) + word;
-        const std::uint64_t waiting = *free & ~*at;
-        if (waiting == 0) continue;
-        std::uint64_t grown = 0;
-        if (steps.y) grown |= beside(at[-1], at[0], at[1]);
-        if (steps.z) grown |= *(at - up) | *(at + up);
-        if (steps.x) grown |= *(at - along) | *(at + along);
-        if (steps.diagonal) {
-          // From the row beside: both cells that the step squeezes past must be free.
-          for (const std::uint64_t* const other : {at - along, at + along}) {
-            const std::uint64_t there = *(free + (other - at));
-            grown |= beside(other[-1] & free[-1], other[0] & free[0], other[1] & free[1]) & there;
-          }
-        }
-        grown &= waiting;
-        if (grown == 0) continue;
-        added_.push_back(
-            {static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(word), grown});
+      if (levels.low > levels.high) continue;
+      levels = {std::max(levels.low - 1, 0), std::min(levels.high + 1, levels_ - 1)};
+      const std::size_t first = begin_of(column) + levels.low;
+      const Words words{free_.data() + first, reached_.data() + first, levels_ + 2,
+                        static_cast<std::ptrdiff_t>(across) * (levels_ + 2),
+                        levels.high - levels.low + 1};
+      const std::uint64_t waiting = spread_straight(words, mask(steps.x), mask(steps.y),
+                                                    mask(steps.z), added_.data() + first);
+      if (waiting == 0) {
+        full_[column] = words.count == levels_;
+        continue;
       }
+      if (steps.diagonal) spread_diagonally(words, added_.data() + first);
+      touched_.push_back({column, levels});
     }
   }
 }
@@ -165,21 +227,28 @@ void BitWave::spread(const Pattern& steps) {
 /// Marks what was added; returns how many cells.
 std::int64_t BitWave::settle(int generation) {
   std::int64_t cells = 0;
-  for (const auto& [row, word, bits] : added_) {
-    const std::size_t number = begin_of(row) + word;
-    reached_[number] |= bits;
+  for (const auto& [column, levels] : touched_) {
+    const std::size_t first = begin_of(column) + levels.low;
+    const int count = levels.high - levels.low + 1;
+    const std::uint64_t* const added = added_.data() + first;
+    const std::int64_t here = take(added, count, reached_.data() + first);
+    if (here == 0) continue;
+    cells += here;
     for (int plane = 0; plane < planes_; ++plane) {
-      if (generation >> plane & 1) numbers_[number * planes_ + plane] |= bits;
+      if (!(generation >> plane & 1)) continue;
+      std::uint64_t* const numbers = numbers_.data() + plane * free_.size() + first;
+      for (int i = 0; i < count; ++i) numbers[i] |= added[i];
     }
-    cells += __builtin_popcountll(bits);
-    Extent& extent = extents_[row];
-    const int first = static_cast<int>(64 * word);
-    extent.low = std::min(extent.low, first + __builtin_ctzll(bits));
-    extent.high = std::max(extent.high, first + 63 - __builtin_clzll(bits));
-    const int level = static_cast<int>(row % (levels_ + 2)) - 1;
-    const int ix = static_cast<int>(row / (levels_ + 2)) - 1;
-    box_ = {std::min(box_.x_low, ix), std::max(box_.x_high, ix), std::min(box_.level_low, level),
-            std::max(box_.level_high, level)};
+    Extent& extent = extents_[column];
+    int low = 0;
+    int high = count - 1;
+    while (added[low] == 0) ++low;
+    while (added[high] == 0) --high;
+    extent.low = std::min(extent.low, levels.low + low);
+    extent.high = std::max(extent.high, levels.low + high);
+    const int ix = static_cast<int>(column / (words_ + 2)) - 1;
+    reached_low_ = std::min(reached_low_, ix);
+    reached_high_ = std::max(reached_high_, ix);
   }
   return cells;
 }
@@ -192,22 +261,23 @@ PlanStatus BitWave::run(const OccupancyGrid& grid, const LevelRange& levels, con
     const bool prepared = cell.x() >= prepared_low_ && cell.x() <= prepared_high_;
     return prepared && (reached_[word_of(cell)] & bit_of(cell)) != 0;
   };
-  const int level = from.z() - lowest_;
-  box_ = {from.x(), from.x(), level, level};
   prepare(grid, from.x() - 2, from.x() + 2);
-  added_.assign(1, {static_cast<std::uint32_t>(row_of(from.x(), level)),
-                    static_cast<std::uint32_t>(from.y() >> 6), bit_of(from)});
+  reached_low_ = reached_high_ = from.x();
+  added_[word_of(from)] = bit_of(from);
+  const int level = from.z() - lowest_;
+  touched_.assign(1, {column_of(from.x(), from.y() >> 6), {level, level}});
   generation_ = 0;
   for (int idle = 0; idle < patience_;) {
     const std::int64_t before = stats.expanded;
-    stats.expanded += settle(generation_);
+    const std::int64_t cells = settle(generation_);
+    idle = cells == 0 ? idle + 1 : 0;
+    stats.expanded += cells;
     const bool spent = budget.spent_since(before, stats.expanded);
     stats.expanded = stats.pushed = budget.capped(stats.expanded);
     if (spent) return PlanStatus::OutOfBudget;
     if (reached(to)) return PlanStatus::Found;
-    prepare(grid, box_.x_low - 2, box_.x_high + 2);
+    prepare(grid, reached_low_ - 2, reached_high_ + 2);
     spread(pattern(++generation_));
-    idle = added_.empty() ? idle + 1 : 0;
   }
   return PlanStatus::Unreachable;
 }
@@ -218,7 +288,7 @@ int BitWave::earlier(const Cell& neighbour, int here) const {
   if (!(reached_[word] >> bit & 1u)) return 0;
   int number = 0;
   for (int plane = 0; plane < planes_; ++plane) {
-    number |= static_cast<int>(numbers_[word * planes_ + plane] >> bit & 1u) << plane;
+    number |= static_cast<int>(numbers_[plane * free_.size() + word] >> bit & 1u) << plane;
   }
   const int mask = (1 << planes_) - 1;
   const int less = (here - number) & mask;

@@ -16,8 +16,9 @@ namespace ltp {
 /// diagonal steps of the plane: so the wave in the open plane is the octagon of all cells within
 /// one distance. Steps obey the squeeze rule, so it reaches what a flood reaches.
 ///
-/// The cells of one (x, z) lie along y as the bits of words: one level is as dense as all of them.
-/// Only words at the wave's front cost more than a glance. Allocates for the largest grid so far.
+/// 64 cells along y are the bits of a word, so one level is as dense as all of them; the words of
+/// all levels lie side by side, so several are spread at once where the processor can. Only words
+/// at the wave's front cost more than a glance. Allocates for the largest grid so far.
 class BitWave {
  public:
   /// Spreads from one free cell until it has reached another (`Found`), has run dry
@@ -37,19 +38,14 @@ class BitWave {
   struct Pattern {
     bool x, y, z, diagonal;
   };
-  /// Cells that a generation added: bits of one word of a row.
-  struct Addition {
-    std::uint32_t row;
-    std::uint32_t word;
-    std::uint64_t bits;
-  };
-  /// The y that the wave has reached in a row, both ends included.
+  /// Levels of a column of words, both ends included.
   struct Extent {
     int low, high;
   };
-  /// The x and levels that it has reached.
-  struct Box {
-    int x_low, x_high, level_low, level_high;
+  /// Where a generation may have added something.
+  struct Touched {
+    std::size_t column;
+    Extent levels;
   };
 
   void begin(const OccupancyGrid& grid, const LevelRange& levels);
@@ -58,31 +54,33 @@ class BitWave {
   Pattern pattern(int generation) const;
   void spread(const Pattern& steps);
   std::int64_t settle(int generation);
-  /// Rows lie by x, then level, one more at each border.
-  std::size_t row_of(int ix, int level) const {
-    return static_cast<std::size_t>(ix + 1) * (levels_ + 2) + (level + 1);
+  /// Columns of words lie by x, then by word, one more at each border.
+  std::size_t column_of(int ix, int word) const {
+    return static_cast<std::size_t>(ix + 1) * (words_ + 2) + (word + 1);
   }
-  /// The first word of a row with cells in it; before it and after the last lies an empty one.
-  std::size_t begin_of(std::size_t row) const { return row * (words_ + 2) + 1; }
+  /// The word of a column's lowest level; below it and above the highest lies an empty one.
+  std::size_t begin_of(std::size_t column) const { return column * (levels_ + 2) + 1; }
   std::size_t word_of(const Cell& cell) const {
-    return begin_of(row_of(cell.x(), cell.z() - lowest_)) + (cell.y() >> 6);
+    return begin_of(column_of(cell.x(), cell.y() >> 6)) + (cell.z() - lowest_);
   }
 
   int nx_ = 0, ny_ = 0;
+  int words_ = 0;                 ///< along y
   int levels_ = 0, lowest_ = 0;   ///< how many are open, and the first of them
-  int words_ = 0;                 ///< of a row
   std::array<double, 3> rate_{};  ///< steps along each axis in a generation
   double pace_ = 0.0;
   int patience_ = 0;  ///< so many generations may add nothing
   int generation_ = 0;
   int planes_ = 0;  ///< bits of a cell's generation that are kept: they tell neighbours apart
   int prepared_low_ = 0, prepared_high_ = -1;  ///< the x whose words are valid
-  Box box_{};
-  std::vector<Extent> extents_;      ///< [row]
-  std::vector<std::uint64_t> free_;  // beyond the window there are no bits
+  int reached_low_ = 0, reached_high_ = 0;     ///< the x that the wave has come to
+  std::vector<Extent> extents_;                ///< [column] the levels that it has come to
+  std::vector<char> full_;                     ///< [column] whether nothing is left to reach
+  std::vector<Touched> touched_;
+  std::vector<std::uint64_t> free_;  // by `word_of`; beyond the window there are no bits
   std::vector<std::uint64_t> reached_;
-  std::vector<std::uint64_t> numbers_;  ///< [word][plane]
-  std::vector<Addition> added_;
+  std::vector<std::uint64_t> added_;    ///< by this generation, where it touched
+  std::vector<std::uint64_t> numbers_;  ///< [plane][word]
 };
 
 }  // namespace ltp
