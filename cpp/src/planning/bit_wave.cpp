@@ -38,28 +38,26 @@ inline std::uint64_t beside(std::uint64_t before, std::uint64_t here, std::uint6
 #define LTP_FOR_WIDE_REGISTERS
 #endif
 
-/// Of `count` levels, what the words of x - 1, x and x + 1 lend to the middle one. `along` and
-/// `across` are the distances to the next word along y and along x.
+/// A stretch of words of a column, and how far it is from each to the next along x, y and z.
 struct Words {
   const std::uint64_t* free;
   const std::uint64_t* reached;
-  std::ptrdiff_t along, across;
+  std::ptrdiff_t x, y, z;
   int count;
 };
 
 /// A step along each axis whose mask is not 0. Returns what may still be reached, or'ed.
-LTP_FOR_WIDE_REGISTERS std::uint64_t spread_straight(const Words& words, std::uint64_t x,
-                                                     std::uint64_t y, std::uint64_t z,
+LTP_FOR_WIDE_REGISTERS std::uint64_t spread_straight(const Words& words, std::uint64_t along_x,
+                                                     std::uint64_t along_y, std::uint64_t along_z,
                                                      std::uint64_t* added) {
   const std::uint64_t* const at = words.reached;
-  const std::ptrdiff_t along = words.along;
-  const std::ptrdiff_t across = words.across;
+  const auto [free, reached, x, y, z, count] = words;
   std::uint64_t any = 0;
-  for (int i = 0; i < words.count; ++i) {
-    const std::uint64_t grown = (beside(at[i - along], at[i], at[i + along]) & y) |
-                                ((at[i - 1] | at[i + 1]) & z) |
-                                ((at[i - across] | at[i + across]) & x);
-    const std::uint64_t waiting = words.free[i] & ~at[i];
+  for (int i = 0; i < count; ++i) {
+    const std::uint64_t grown = (beside(at[i - y], at[i], at[i + y]) & along_y) |
+                                ((at[i - z] | at[i + z]) & along_z) |
+                                ((at[i - x] | at[i + x]) & along_x);
+    const std::uint64_t waiting = free[i] & ~at[i];
     any |= waiting;
     added[i] = grown & waiting;
   }
@@ -68,15 +66,15 @@ LTP_FOR_WIDE_REGISTERS std::uint64_t spread_straight(const Words& words, std::ui
 
 /// A diagonal step of the plane: both cells that it squeezes past must be free.
 LTP_FOR_WIDE_REGISTERS void spread_diagonally(const Words& words, std::uint64_t* added) {
-  const std::ptrdiff_t along = words.along;
-  for (const std::ptrdiff_t across : {-words.across, words.across}) {
-    const std::uint64_t* const other = words.reached + across;
+  const std::ptrdiff_t y = words.y;
+  for (const std::ptrdiff_t x : {-words.x, words.x}) {
+    const std::uint64_t* const other = words.reached + x;
+    const std::uint64_t* const free = words.free;
     for (int i = 0; i < words.count; ++i) {
-      const std::uint64_t* const free = words.free + i;
-      const std::uint64_t waiting = *free & ~words.reached[i];
-      added[i] |= beside(other[i - along] & free[-along], other[i] & *free,
-                         other[i + along] & free[along]) &
-                  free[across] & waiting;
+      const std::uint64_t waiting = free[i] & ~words.reached[i];
+      added[i] |=
+          beside(other[i - y] & free[i - y], other[i] & free[i], other[i + y] & free[i + y]) &
+          free[i + x] & waiting;
     }
   }
 }
@@ -100,29 +98,29 @@ bool passes(double rate, int generation) {
 
 void BitWave::begin(const OccupancyGrid& grid, const LevelRange& levels) {
   const GridFrame& frame = grid.frame();
-  ny_ = frame.ny();
-  lowest_ = levels.lowest;
   const int count = levels.highest - levels.lowest + 1;
-  const int words = (ny_ + 63) / 64;
-  pace_ = count > 1 ? frame.cell().minCoeff() : frame.cell().head<2>().minCoeff();
+  flat_ = count == 1;
+  lowest_ = levels.lowest;
+  ny_ = frame.ny();
+  pace_ = flat_ ? frame.cell().head<2>().minCoeff() : frame.cell().minCoeff();
   int most = 0;  // generations between two neighbours
   patience_ = 1;
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < (flat_ ? 2 : 3); ++axis) {
     rate_[axis] = std::min(1.0, pace_ / frame.cell()[axis]);
     const int period = static_cast<int>(std::ceil(1.0 / rate_[axis]));
-    if (axis < 2 || count > 1) {
-      most += period;
-      patience_ = std::max(patience_, period);
-    }
+    most += period;
+    patience_ = std::max(patience_, period);
   }
   planes_ = 1;
   while ((1 << planes_) <= 2 * most) ++planes_;
-  const std::size_t columns = static_cast<std::size_t>(frame.nx() + 2) * (words + 2);
-  const std::size_t size = columns * (count + 2);
-  if (frame.nx() != nx_ || count != levels_ || words != words_) {
-    nx_ = frame.nx();
-    levels_ = count;
-    words_ = words;
+  const std::array<int, 3> dims = {flat_ ? 1 : frame.nx(), (ny_ + 63) / 64,
+                                   flat_ ? frame.nx() : count};
+  const std::size_t columns = static_cast<std::size_t>(dims[0] + 2) * (dims[1] + 2);
+  const std::size_t size = columns * (dims[2] + 2);
+  if (dims != std::array<int, 3>{outer_, words_, inner_}) {
+    outer_ = dims[0];
+    words_ = dims[1];
+    inner_ = dims[2];
     free_.assign(size, 0);
     reached_.assign(size, 0);
     added_.resize(size);
@@ -134,50 +132,63 @@ void BitWave::begin(const OccupancyGrid& grid, const LevelRange& levels) {
   prepared_high_ = -1;
 }
 
-/// Makes the words of x from low to high valid.
-void BitWave::prepare(const OccupancyGrid& grid, int x_low, int x_high) {
-  x_low = std::max(x_low, 0);
-  x_high = std::min(x_high, nx_ - 1);
+/// Makes the words from low to high along the outer axis valid.
+void BitWave::prepare(const OccupancyGrid& grid, int low, int high) {
+  low = std::max(low, 0);
+  high = std::min(high, outer_ - 1);
   if (prepared_high_ < prepared_low_) {
-    prepared_low_ = x_low;
-    prepared_high_ = x_low - 1;
+    prepared_low_ = low;
+    prepared_high_ = low - 1;
   }
-  while (prepared_low_ > x_low) prepare_row(grid, --prepared_low_);
-  while (prepared_high_ < x_high) prepare_row(grid, ++prepared_high_);
+  while (prepared_low_ > low) prepare_columns(grid, --prepared_low_);
+  while (prepared_high_ < high) prepare_columns(grid, ++prepared_high_);
 }
 
-void BitWave::prepare_row(const OccupancyGrid& grid, int ix) {
+void BitWave::prepare_columns(const OccupancyGrid& grid, int outer) {
   const auto at = [](auto& values, std::size_t i) {
     return values.begin() + static_cast<std::ptrdiff_t>(i);
   };
-  const std::size_t column = column_of(ix, 0);
+  const std::size_t column = column_of(outer, 0);
   const std::size_t first = begin_of(column) - 1;
-  const std::size_t size = static_cast<std::size_t>(words_) * (levels_ + 2);
+  const std::size_t size = static_cast<std::size_t>(words_) * (inner_ + 2);
   std::fill_n(at(extents_, column), words_, Extent{kFar, -kFar});
   std::fill_n(at(full_, column), words_, 0);
   std::fill_n(at(reached_, first), size, 0);
   for (int plane = 0; plane < planes_; ++plane) {
     std::fill_n(at(numbers_, plane * free_.size() + first), size, 0);
   }
+  flat_ ? copy_level(grid) : copy_levels(grid, outer);
+}
+
+/// The free cells of the single level.
+void BitWave::copy_level(const OccupancyGrid& grid) {
+  for (int ix = 0; ix < inner_; ++ix) {
+    const std::uint64_t* column = grid.column(ix, 0) + (lowest_ >> 6);
+    for (int word = 0; word < words_; ++word) {
+      const int lines = std::min(64, ny_ - 64 * word);
+      std::uint64_t bits = 0;
+      for (int line = 0; line < lines; ++line, column += grid.words_per_column()) {
+        bits |= (~*column >> (lowest_ & 63) & 1u) << line;
+      }
+      free_[begin_of(column_of(0, word)) + ix] = bits;
+    }
+  }
+}
+
+/// The free cells of all levels over one x.
+void BitWave::copy_levels(const OccupancyGrid& grid, int ix) {
   std::array<std::uint64_t, 64> block;
   for (int word = 0; word < words_; ++word) {
     const int lines = std::min(64, ny_ - 64 * word);
-    for (int done = 0; done < levels_;) {
+    for (int done = 0; done < inner_;) {
       const int level = lowest_ + done;
-      const int bit = level & 63;
-      const int count = std::min(levels_ - done, 64 - bit);
+      const int count = std::min(inner_ - done, 64 - (level & 63));
       for (int line = 0; line < lines; ++line) {
-        block[line] = ~grid.column(ix, 64 * word + line)[level >> 6] >> bit;
+        block[line] = ~grid.column(ix, 64 * word + line)[level >> 6] >> (level & 63);
       }
-      if (count == 1) {
-        std::uint64_t bits = 0;
-        for (int line = 0; line < lines; ++line) bits |= (block[line] & 1u) << line;
-        free_[begin_of(column + word) + done] = bits;
-      } else {
-        std::fill(block.begin() + lines, block.end(), 0);
-        transpose(block);
-        std::copy_n(block.begin(), count, at(free_, begin_of(column + word) + done));
-      }
+      std::fill(block.begin() + lines, block.end(), 0);
+      transpose(block);
+      std::copy_n(block.begin(), count, free_.data() + begin_of(column_of(ix, word)) + done);
       done += count;
     }
   }
@@ -187,7 +198,7 @@ BitWave::Pattern BitWave::pattern(int generation) const {
   Pattern steps{};
   steps.x = passes(rate_[0], generation);
   steps.y = passes(rate_[1], generation);
-  steps.z = passes(rate_[2], generation);
+  steps.z = !flat_ && passes(rate_[2], generation);
   steps.diagonal = steps.x && steps.y && passes(kDiagonalShare, generation);
   return steps;
 }
@@ -195,31 +206,33 @@ BitWave::Pattern BitWave::pattern(int generation) const {
 /// Collects in `added_` what one generation reaches.
 void BitWave::spread(const Pattern& steps) {
   const auto mask = [](bool taken) { return taken ? ~std::uint64_t{0} : 0; };
-  const std::size_t across = words_ + 2;  // columns to the next x
+  const std::size_t next = words_ + 2;  // columns to the next along the outer axis
+  const std::ptrdiff_t y = inner_ + 2;
+  const std::ptrdiff_t far = static_cast<std::ptrdiff_t>(next) * y;
   touched_.clear();
-  for (int ix = std::max(reached_low_ - 1, 0); ix <= std::min(reached_high_ + 1, nx_ - 1); ++ix) {
+  const int last = std::min(reached_high_ + 1, outer_ - 1);
+  for (int outer = std::max(reached_low_ - 1, 0); outer <= last; ++outer) {
     for (int word = 0; word < words_; ++word) {
-      const std::size_t column = column_of(ix, word);
+      const std::size_t column = column_of(outer, word);
       if (full_[column]) continue;
-      Extent levels = extents_[column];
-      for (const std::size_t other : {column - 1, column + 1, column - across, column + across}) {
-        levels.low = std::min(levels.low, extents_[other].low);
-        levels.high = std::max(levels.high, extents_[other].high);
+      Extent places = extents_[column];
+      for (const std::size_t other : {column - 1, column + 1, column - next, column + next}) {
+        places.low = std::min(places.low, extents_[other].low);
+        places.high = std::max(places.high, extents_[other].high);
       }
-      if (levels.low > levels.high) continue;
-      levels = {std::max(levels.low - 1, 0), std::min(levels.high + 1, levels_ - 1)};
-      const std::size_t first = begin_of(column) + levels.low;
-      const Words words{free_.data() + first, reached_.data() + first, levels_ + 2,
-                        static_cast<std::ptrdiff_t>(across) * (levels_ + 2),
-                        levels.high - levels.low + 1};
+      if (places.low > places.high) continue;
+      places = {std::max(places.low - 1, 0), std::min(places.high + 1, inner_ - 1)};
+      const std::size_t first = begin_of(column) + places.low;
+      const Words words{free_.data() + first, reached_.data() + first,     flat_ ? 1 : far, y,
+                        flat_ ? far : 1,      places.high - places.low + 1};
       const std::uint64_t waiting = spread_straight(words, mask(steps.x), mask(steps.y),
                                                     mask(steps.z), added_.data() + first);
       if (waiting == 0) {
-        full_[column] = words.count == levels_;
+        full_[column] = words.count == inner_;
         continue;
       }
       if (steps.diagonal) spread_diagonally(words, added_.data() + first);
-      touched_.push_back({column, levels});
+      touched_.push_back({column, places});
     }
   }
 }
@@ -227,9 +240,9 @@ void BitWave::spread(const Pattern& steps) {
 /// Marks what was added; returns how many cells.
 std::int64_t BitWave::settle(int generation) {
   std::int64_t cells = 0;
-  for (const auto& [column, levels] : touched_) {
-    const std::size_t first = begin_of(column) + levels.low;
-    const int count = levels.high - levels.low + 1;
+  for (const auto& [column, places] : touched_) {
+    const std::size_t first = begin_of(column) + places.low;
+    const int count = places.high - places.low + 1;
     const std::uint64_t* const added = added_.data() + first;
     const std::int64_t here = take(added, count, reached_.data() + first);
     if (here == 0) continue;
@@ -244,11 +257,11 @@ std::int64_t BitWave::settle(int generation) {
     int high = count - 1;
     while (added[low] == 0) ++low;
     while (added[high] == 0) --high;
-    extent.low = std::min(extent.low, levels.low + low);
-    extent.high = std::max(extent.high, levels.low + high);
-    const int ix = static_cast<int>(column / (words_ + 2)) - 1;
-    reached_low_ = std::min(reached_low_, ix);
-    reached_high_ = std::max(reached_high_, ix);
+    extent.low = std::min(extent.low, places.low + low);
+    extent.high = std::max(extent.high, places.low + high);
+    const int outer = static_cast<int>(column / (words_ + 2)) - 1;
+    reached_low_ = std::min(reached_low_, outer);
+    reached_high_ = std::max(reached_high_, outer);
   }
   return cells;
 }
@@ -258,14 +271,15 @@ PlanStatus BitWave::run(const OccupancyGrid& grid, const LevelRange& levels, con
   begin(grid, levels);
   const auto bit_of = [](const Cell& cell) { return std::uint64_t{1} << (cell.y() & 63); };
   const auto reached = [&](const Cell& cell) {
-    const bool prepared = cell.x() >= prepared_low_ && cell.x() <= prepared_high_;
+    const int outer = outer_of(cell);
+    const bool prepared = outer >= prepared_low_ && outer <= prepared_high_;
     return prepared && (reached_[word_of(cell)] & bit_of(cell)) != 0;
   };
-  prepare(grid, from.x() - 2, from.x() + 2);
-  reached_low_ = reached_high_ = from.x();
+  reached_low_ = reached_high_ = outer_of(from);
+  prepare(grid, reached_low_ - 2, reached_high_ + 2);
   added_[word_of(from)] = bit_of(from);
-  const int level = from.z() - lowest_;
-  touched_.assign(1, {column_of(from.x(), from.y() >> 6), {level, level}});
+  const int place = inner_of(from);
+  touched_.assign(1, {column_of(reached_low_, from.y() >> 6), {place, place}});
   generation_ = 0;
   for (int idle = 0; idle < patience_;) {
     const std::int64_t before = stats.expanded;

@@ -16,9 +16,11 @@ namespace ltp {
 /// diagonal steps of the plane: so the wave in the open plane is the octagon of all cells within
 /// one distance. Steps obey the squeeze rule, so it reaches what a flood reaches.
 ///
-/// 64 cells along y are the bits of a word, so one level is as dense as all of them; the words of
-/// all levels lie side by side, so several are spread at once where the processor can. Only words
-/// at the wave's front cost more than a glance. Allocates for the largest grid so far.
+/// 64 cells along y are the bits of a word, so one level is as dense as all of them. Words that
+/// differ in the level only lie side by side, so several are spread at once where the processor
+/// can; on a single level, those that differ in x only (below, `inner` is that axis and `outer` the
+/// other). Only words at the wave's front cost more than a glance. Allocates for the largest grid
+/// so far.
 class BitWave {
  public:
   /// Spreads from one free cell until it has reached another (`Found`), has run dry
@@ -38,43 +40,49 @@ class BitWave {
   struct Pattern {
     bool x, y, z, diagonal;
   };
-  /// Levels of a column of words, both ends included.
+  /// Of the words of a column: places along the inner axis, both ends included.
   struct Extent {
     int low, high;
   };
   /// Where a generation may have added something.
   struct Touched {
     std::size_t column;
-    Extent levels;
+    Extent places;
   };
 
   void begin(const OccupancyGrid& grid, const LevelRange& levels);
-  void prepare(const OccupancyGrid& grid, int x_low, int x_high);
-  void prepare_row(const OccupancyGrid& grid, int ix);
+  void prepare(const OccupancyGrid& grid, int low, int high);
+  void prepare_columns(const OccupancyGrid& grid, int outer);
+  void copy_level(const OccupancyGrid& grid);
+  void copy_levels(const OccupancyGrid& grid, int ix);
   Pattern pattern(int generation) const;
   void spread(const Pattern& steps);
   std::int64_t settle(int generation);
-  /// Columns of words lie by x, then by word, one more at each border.
-  std::size_t column_of(int ix, int word) const {
-    return static_cast<std::size_t>(ix + 1) * (words_ + 2) + (word + 1);
+  /// Columns of words lie by the outer axis, then by word, one more at each border.
+  std::size_t column_of(int outer, int word) const {
+    return static_cast<std::size_t>(outer + 1) * (words_ + 2) + (word + 1);
   }
-  /// The word of a column's lowest level; below it and above the highest lies an empty one.
-  std::size_t begin_of(std::size_t column) const { return column * (levels_ + 2) + 1; }
+  /// A column's first word; before it and after the last lies an empty one.
+  std::size_t begin_of(std::size_t column) const { return column * (inner_ + 2) + 1; }
+  int outer_of(const Cell& cell) const { return flat_ ? 0 : cell.x(); }
+  int inner_of(const Cell& cell) const { return flat_ ? cell.x() : cell.z() - lowest_; }
   std::size_t word_of(const Cell& cell) const {
-    return begin_of(column_of(cell.x(), cell.y() >> 6)) + (cell.z() - lowest_);
+    return begin_of(column_of(outer_of(cell), cell.y() >> 6)) + inner_of(cell);
   }
 
-  int nx_ = 0, ny_ = 0;
-  int words_ = 0;                 ///< along y
-  int levels_ = 0, lowest_ = 0;   ///< how many are open, and the first of them
+  bool flat_ = false;             ///< whether there is a single level
+  int lowest_ = 0;                ///< level
+  int ny_ = 0;                    ///< cells along y
+  int words_ = 0;                 ///< words along y
+  int outer_ = 0, inner_ = 0;     ///< cells along these axes
   std::array<double, 3> rate_{};  ///< steps along each axis in a generation
   double pace_ = 0.0;
   int patience_ = 0;  ///< so many generations may add nothing
   int generation_ = 0;
   int planes_ = 0;  ///< bits of a cell's generation that are kept: they tell neighbours apart
-  int prepared_low_ = 0, prepared_high_ = -1;  ///< the x whose words are valid
-  int reached_low_ = 0, reached_high_ = 0;     ///< the x that the wave has come to
-  std::vector<Extent> extents_;                ///< [column] the levels that it has come to
+  int prepared_low_ = 0, prepared_high_ = -1;  ///< along the outer axis: whose words are valid
+  int reached_low_ = 0, reached_high_ = 0;     ///< the same: what the wave has come to
+  std::vector<Extent> extents_;                ///< [column] the same along the inner axis
   std::vector<char> full_;                     ///< [column] whether nothing is left to reach
   std::vector<Touched> touched_;
   std::vector<std::uint64_t> free_;  // by `word_of`; beyond the window there are no bits
