@@ -68,6 +68,7 @@ bench: $(STAMPS)/bench build-bench  ## measure ltp beside its peers, write docs/
 	$(BIN)/python -m tests.bench.peers --out build/bench/python.json
 	$(BIN)/python -m tests.bench.scale --out build/bench/scale.json \
 	  --figure docs/figures/performance_scale.png
+	$(BIN)/python -m tests.bench.latency --out build/bench/latency.json
 	$(BIN)/python -m tests.bench.report
 
 .PHONY: bench-cpp

@@ -118,8 +118,8 @@ GOALS: tuple[Goal, ...] = (
     ),
     Goal(
         "GGWP, one query",
-        cpp("ltp", "ggwp/ltp"),
-        (cpp("scalar wave", "ggwp/scalar_wave"),),
+        cpp("ltp", "ggwp/ltp", each="a_query"),
+        (cpp("scalar wave", "ggwp/scalar_wave", each="a_query"),),
         factor=8,
     ),
     Goal(
