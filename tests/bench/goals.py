@@ -148,7 +148,7 @@ GOALS: tuple[Goal, ...] = (
     ),
     Goal(
         "LiDAR, any attitude, rays (Python)",
-        python("lidar_tilted", "ltp cast_rays"),
+        python("lidar_tilted", "ltp Lidar.scan"),
         (
             python("lidar_tilted", "embreex, mesh of the boxes"),
             python("lidar_tilted", "embreex, mesh of the raster"),

@@ -51,7 +51,8 @@ def _scanner(shared: Shared, attitude: dict[str, float]) -> Solver:
     def ranges(scan: Scan) -> NDArray[np.float64]:
         return np.asarray(np.linalg.norm(scan.hits - scan.origin, axis=1))
 
-    return Solver(lambda i: sensing.lidar.scan(sensing.surface, poses[i], i), ranges)
+    # The peers list no misses either.
+    return Solver(lambda i: sensing.lidar.scan(sensing.surface, poses[i], i, misses=False), ranges)
 
 
 def _caster(shared: Shared, is_tilted: bool) -> Solver:
