@@ -33,7 +33,7 @@ inline std::uint64_t beside(std::uint64_t before, std::uint64_t here, std::uint6
 // give the same.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define LTP_FOR_WIDE_REGISTERS \
-  __attribute__((target_clones("default", "popcnt", "avx2", "arch=x86-64-v4")))
+  __attribute__((target_clones("default", "popcnt", "avx2", "avx512f")))
 #else
 #define LTP_FOR_WIDE_REGISTERS
 #endif
