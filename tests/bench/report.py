@@ -131,10 +131,18 @@ def _cpp(results: Results) -> list[str]:
 
 def _counters(row: Mapping[str, Any]) -> list[str]:
     return [
-        f"{key} {Figure(value, 'rate')}" if key.endswith("per_second") else f"{key} {value:.6g}"
+        f"{key} {_counter(key, value)}"
         for key, value in row.items()
         if key not in _KEYS_OF_GOOGLE and isinstance(value, int | float)
     ]
+
+
+def _counter(key: str, value: float) -> str:
+    """By its name: a rate, the time that one thing takes [s], or a number."""
+    if key.endswith("per_second"):
+        return str(Figure(value, "rate"))
+    timed = key.startswith(("a_", "worst_", "seconds_"))
+    return str(Figure(value)) if timed else f"{value:.6g}"
 
 
 def _scale(results: Results) -> list[str]:
