@@ -48,9 +48,7 @@ def draw(series: dict[str, list[Row]]) -> "Figure":
     axes[1, 2].set_title("Way-points", **_TITLE)
     axes[0, 0].axhline(_TEN_HERTZ, color=FAINT, lw=0.8, ls="--")
     axes[0, 0].set_ylim(top=1e6)  # room for the legend
-    axes[0, 0].annotate(
-        "10 Hz", (cells[-1]["cells"], _TEN_HERTZ), color=FAINT, va="top", ha="right", size=8
-    )
+    axes[0, 0].annotate("10 Hz", (cells[0]["cells"], _TEN_HERTZ), color=FAINT, va="bottom", size=8)
     memory = {"window and planner": [row["memory_mb"] for row in cells]}
     _lines(axes[0, 1], "cells of the window", [row["cells"] for row in cells], memory, "MB")
     _plans(axes[0, 2], cells)
