@@ -131,7 +131,8 @@ $(STAMPS)/viewer $(STAMPS)/test $(STAMPS)/dev: $(STAMPS)/package
 # so that one that cannot be had here stops no other.
 $(STAMPS)/bench-system: .ci/system-packages
 	@mkdir -p $(STAMPS)
-	@PYTHON="$(PYTHON)" .ci/system-packages libembree-dev libopenvdb-dev libusb-1.0-0 patchelf > $@
+	@PYTHON="$(PYTHON)" .ci/system-packages \
+	  libembree-dev libopenvdb-dev libboost-dev libusb-1.0-0 patchelf > $@
 
 $(STAMPS)/bench: $(STAMPS)/package $(STAMPS)/bench-system
 	@echo "ltp: installing the peers into $(VENV)"
