@@ -11,6 +11,7 @@
 #include <random>
 #include <vector>
 
+#include "planning/wave_kernels.hpp"
 #include "scenes.hpp"
 
 namespace ltp {
@@ -110,6 +111,37 @@ TEST(Wavefront, ReachesEveryCellInTheGenerationOfTheSlowWave) {
   }
   EXPECT_GT(compared, 500);
   EXPECT_GT(steps_told, 3000);
+}
+
+TEST(Wavefront, IsTheSameForRegistersOfEveryWidth) {
+  std::mt19937_64 random(11);
+  constexpr int kSize = 200;
+  for (int k = 0; k < 500; ++k) {
+    std::vector<std::uint64_t> free(kSize), reached(kSize);
+    for (int i = 0; i < kSize; ++i) {
+      free[i] = random() | random();
+      reached[i] = random() & random() & free[i];
+    }
+    const int count = 1 + k % 45;
+    const wave::Words words{free.data() + 70, reached.data() + 70, 60, 10, 1, count};
+    const auto mask = [&] { return random() % 2 == 0 ? ~std::uint64_t{0} : 0; };
+    const std::uint64_t masks[] = {mask(), mask(), mask()};
+    std::vector<std::uint64_t> plain;
+    for (const wave::Kernels& kernels : wave::kernels()) {
+      SCOPED_TRACE(kernels.name);
+      std::vector<std::uint64_t> result(kSize, 0);
+      const std::uint64_t any =
+          kernels.spread_straight(words, masks[0], masks[1], masks[2], result.data() + 70);
+      kernels.spread_diagonally(words, result.data() + 70);
+      std::vector<std::uint64_t> after = reached;
+      const std::int64_t bits = kernels.take(result.data() + 70, count, after.data() + 70);
+      result.insert(result.end(), after.begin(), after.end());
+      result.push_back(any);
+      result.push_back(static_cast<std::uint64_t>(bits));
+      if (plain.empty()) plain = result;
+      ASSERT_EQ(result, plain);
+    }
+  }
 }
 
 TEST(Wavefront, IsAtMostTheLongestOverTheShortestStepTooLong) {

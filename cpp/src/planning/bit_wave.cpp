@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "wave_kernels.hpp"
+
 namespace ltp {
 namespace {
 
@@ -22,72 +24,6 @@ void transpose(std::array<std::uint64_t, 64>& rows) {
       rows[k + half] ^= swap;
     }
   }
-}
-
-/// A row's bits moved by one cell to either side, both or'ed.
-inline std::uint64_t beside(std::uint64_t before, std::uint64_t here, std::uint64_t after) {
-  return here << 1 | before >> 63 | here >> 1 | after << 63;
-}
-
-// Compiled for several processors, of which the best is chosen at run time. On integers all of them
-// give the same.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define LTP_FOR_WIDE_REGISTERS \
-  __attribute__((target_clones("default", "popcnt", "avx2", "avx512f")))
-#else
-#define LTP_FOR_WIDE_REGISTERS
-#endif
-
-/// A stretch of words of a column, and how far it is from each to the next along x, y and z.
-struct Words {
-  const std::uint64_t* free;
-  const std::uint64_t* reached;
-  std::ptrdiff_t x, y, z;
-  int count;
-};
-
-/// A step along each axis whose mask is not 0. Returns what may still be reached, or'ed.
-LTP_FOR_WIDE_REGISTERS std::uint64_t spread_straight(const Words& words, std::uint64_t along_x,
-                                                     std::uint64_t along_y, std::uint64_t along_z,
-                                                     std::uint64_t* added) {
-  const std::uint64_t* const at = words.reached;
-  const auto [free, reached, x, y, z, count] = words;
-  std::uint64_t any = 0;
-  for (int i = 0; i < count; ++i) {
-    const std::uint64_t grown = (beside(at[i - y], at[i], at[i + y]) & along_y) |
-                                ((at[i - z] | at[i + z]) & along_z) |
-                                ((at[i - x] | at[i + x]) & along_x);
-    const std::uint64_t waiting = free[i] & ~at[i];
-    any |= waiting;
-    added[i] = grown & waiting;
-  }
-  return any;
-}
-
-/// A diagonal step of the plane: both cells that it squeezes past must be free.
-LTP_FOR_WIDE_REGISTERS void spread_diagonally(const Words& words, std::uint64_t* added) {
-  const std::ptrdiff_t y = words.y;
-  for (const std::ptrdiff_t x : {-words.x, words.x}) {
-    const std::uint64_t* const other = words.reached + x;
-    const std::uint64_t* const free = words.free;
-    for (int i = 0; i < words.count; ++i) {
-      const std::uint64_t waiting = free[i] & ~words.reached[i];
-      added[i] |=
-          beside(other[i - y] & free[i - y], other[i] & free[i], other[i + y] & free[i + y]) &
-          free[i + x] & waiting;
-    }
-  }
-}
-
-/// Returns how many bits were added.
-LTP_FOR_WIDE_REGISTERS std::int64_t take(const std::uint64_t* added, int count,
-                                         std::uint64_t* reached) {
-  std::int64_t bits = 0;
-  for (int i = 0; i < count; ++i) {
-    reached[i] |= added[i];
-    bits += __builtin_popcountll(added[i]);
-  }
-  return bits;
 }
 
 bool passes(double rate, int generation) {
@@ -209,6 +145,7 @@ void BitWave::spread(const Pattern& steps) {
   const std::size_t next = words_ + 2;  // columns to the next along the outer axis
   const std::ptrdiff_t y = inner_ + 2;
   const std::ptrdiff_t far = static_cast<std::ptrdiff_t>(next) * y;
+  const wave::Kernels& kernels = wave::kernels().back();
   touched_.clear();
   const int last = std::min(reached_high_ + 1, outer_ - 1);
   for (int outer = std::max(reached_low_ - 1, 0); outer <= last; ++outer) {
@@ -223,15 +160,15 @@ void BitWave::spread(const Pattern& steps) {
       if (places.low > places.high) continue;
       places = {std::max(places.low - 1, 0), std::min(places.high + 1, inner_ - 1)};
       const std::size_t first = begin_of(column) + places.low;
-      const Words words{free_.data() + first, reached_.data() + first,     flat_ ? 1 : far, y,
-                        flat_ ? far : 1,      places.high - places.low + 1};
-      const std::uint64_t waiting = spread_straight(words, mask(steps.x), mask(steps.y),
-                                                    mask(steps.z), added_.data() + first);
+      const wave::Words words{free_.data() + first, reached_.data() + first,     flat_ ? 1 : far, y,
+                              flat_ ? far : 1,      places.high - places.low + 1};
+      const std::uint64_t waiting = kernels.spread_straight(words, mask(steps.x), mask(steps.y),
+                                                            mask(steps.z), added_.data() + first);
       if (waiting == 0) {
         full_[column] = words.count == inner_;
         continue;
       }
-      if (steps.diagonal) spread_diagonally(words, added_.data() + first);
+      if (steps.diagonal) kernels.spread_diagonally(words, added_.data() + first);
       touched_.push_back({column, places});
     }
   }
@@ -239,12 +176,13 @@ void BitWave::spread(const Pattern& steps) {
 
 /// Marks what was added; returns how many cells.
 std::int64_t BitWave::settle(int generation) {
+  const wave::Kernels& kernels = wave::kernels().back();
   std::int64_t cells = 0;
   for (const auto& [column, places] : touched_) {
     const std::size_t first = begin_of(column) + places.low;
     const int count = places.high - places.low + 1;
     const std::uint64_t* const added = added_.data() + first;
-    const std::int64_t here = take(added, count, reached_.data() + first);
+    const std::int64_t here = kernels.take(added, count, reached_.data() + first);
     if (here == 0) continue;
     cells += here;
     for (int plane = 0; plane < planes_; ++plane) {
