@@ -49,9 +49,11 @@ void __wrap_free(void* memory) {
 }
 }
 
-// Replaces those of the whole program; the forms for arrays and `nothrow` end up here.
+// Replaces those of the whole program, all of them: sanitizers compare who took with who frees.
 void* operator new(std::size_t size) { return take(size); }
 void* operator new[](std::size_t size) { return take(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return std::malloc(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return std::malloc(size); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }

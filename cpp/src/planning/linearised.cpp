@@ -63,6 +63,8 @@ void LinearisedPlanner::shortest(const Scene& scene, const Query& query, const G
 double LinearisedPlanner::narrow(const Scene& scene, const Query& query, double penalty,
                                  PenaltyBound& bound) {
   const GridFrame& frame = scene.occupancy.frame();
+  // Steps see more of a finer raster than the columns' centres: there only its maximum is safe.
+  if (!aligned(frame, scene.priority)) return std::numeric_limits<double>::infinity();
   priority_.reset(frame, scene.priority);
   // Between two centres a step may touch the columns beside it.
   const double margin = 4.0 * frame.cell().head<2>().norm();
