@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 #include <stdexcept>
 #include <vector>
@@ -74,6 +75,66 @@ TEST(Flood, AgreesOnTheScenesOfThePlanners) {
                      levels_of(frame, situation.query));
     if (HasFatalFailure()) return;
   }
+}
+
+TEST(Flood, ForgetsTheLastFillHoweverLargeItWas) {
+  // Rooms of many sizes on one grid, so that large fills follow small ones and small ones large
+  // ones; and grids of one size whose shapes differ.
+  std::mt19937_64 random(2);
+  Flood flood;
+  int small = 0;
+  int large = 0;
+  for (const std::array<int, 3>& dims :
+       {std::array<int, 3>{24, 10, 5}, {10, 24, 5}, {24, 10, 70}, {24, 10, 5}}) {
+    const GridFrame frame(Point(0, 0, 0), Point(1, 1, 1), dims);
+    OccupancyGrid grid(frame);
+    for (const int wall : {2, 5, 8}) {
+      for (int iy = 0; iy < frame.ny(); ++iy) {
+        for (int iz = 0; iz < frame.nz(); ++iz) grid.set(Cell(wall, iy, iz));
+      }
+    }
+    for (int k = 0; k < 40; ++k) {
+      const Cell from = frame.cell_at(static_cast<std::int64_t>(random() % frame.size()));
+      expect_like_slow(flood, grid, from, {0, frame.nz() - 1});
+      if (HasFatalFailure()) return;
+      (flood.count() * 8 > frame.size() ? large : small) += 1;
+    }
+  }
+  EXPECT_GT(small, 20);
+  EXPECT_GT(large, 20);
+}
+
+TEST(Flood, EndsEarlyOnlyWhereTheAnswerIsKnown) {
+  std::mt19937_64 random(3);
+  Flood whole;
+  Flood brief;  // one for all: it must forget where it was left
+  int walled_off = 0;
+  int spared = 0;
+  for (int k = 0; k < 400; ++k) {
+    const GridFrame frame(Point(0, 0, 0), Point(2, 2, 4), {12, 12, k % 2 == 0 ? 9 : 70});
+    OccupancyGrid grid(frame);
+    for (std::int64_t i = 0; i < frame.size(); ++i) {
+      if (random() % 20 < 4 + static_cast<unsigned>(k % 14)) grid.set(frame.cell_at(i));
+    }
+    const Cell from(6, 6, 4);
+    const Cell until = frame.cell_at(static_cast<std::int64_t>(random() % frame.size()));
+    const LevelRange levels{0, frame.nz() - 1};
+    whole.fill(grid, from, levels);
+    brief.fill(grid, from, levels, until);
+    const bool open = whole.touched_edge() || whole.reached(until);
+    ASSERT_EQ(brief.touched_edge() || brief.reached(until), open);
+    for (std::int64_t i = 0; i < frame.size(); ++i) {
+      const Cell cell = frame.cell_at(i);
+      ASSERT_LE(brief.reached(cell), whole.reached(cell)) << cell.transpose();
+    }
+    if (!open) {
+      ASSERT_EQ(brief.count(), whole.count());
+      ++walled_off;
+    }
+    spared += brief.count() < whole.count();
+  }
+  EXPECT_GT(walled_off, 50);
+  EXPECT_GT(spared, 50);
 }
 
 TEST(Flood, FollowsACorridorAllTheWay) {

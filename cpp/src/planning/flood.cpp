@@ -9,13 +9,10 @@
 namespace ltp {
 namespace {
 
-/// Spreads the set bits of a column up and down through its free bits. Returns whether anything was
-/// added.
-bool spread(std::uint64_t* reached, const std::uint64_t* blocked, const std::uint64_t* open,
+/// Spreads the set bits of a column up and down through its free bits.
+void spread(std::uint64_t* reached, const std::uint64_t* blocked, const std::uint64_t* open,
             int words) {
-  bool any = false;
-  bool changed = true;
-  while (changed) {
+  for (bool changed = true; changed;) {
     changed = false;
     for (int w = 0; w < words; ++w) {
       const std::uint64_t free = ~blocked[w] & open[w];
@@ -29,12 +26,35 @@ bool spread(std::uint64_t* reached, const std::uint64_t* blocked, const std::uin
       changed |= bits != reached[w];
       reached[w] = bits;
     }
-    any |= changed;
   }
-  return any;
 }
 
 }  // namespace
+
+/// Forgets the last fill, column by column if it was a small one.
+void Flood::begin(const OccupancyGrid& grid) {
+  const GridFrame& frame = grid.frame();
+  if (nx_ == frame.nx() && ny_ == frame.ny() && words_ == grid.words_per_column()) {
+    if (touched_.size() > states_.size() / 8) {
+      std::fill(reached_.begin(), reached_.end(), 0);
+      std::fill(states_.begin(), states_.end(), State::Untouched);
+    } else {
+      for (const std::uint32_t column : touched_) {
+        for (int w = 0; w < words_; ++w) reached_[std::size_t{column} * words_ + w] = 0;
+        states_[column] = State::Untouched;
+      }
+    }
+  } else {
+    reached_.reset(grid.words().size());
+    states_.reset(static_cast<std::size_t>(frame.nx()) * frame.ny());
+    nx_ = frame.nx();
+    ny_ = frame.ny();
+    words_ = grid.words_per_column();
+  }
+  touched_.clear();
+  next_.clear();
+  touched_edge_ = false;
+}
 
 void Flood::fill(const OccupancyGrid& grid, const Cell& from, const LevelRange& levels,
                  const std::optional<Cell>& until) {
@@ -42,62 +62,53 @@ void Flood::fill(const OccupancyGrid& grid, const Cell& from, const LevelRange& 
   if (!frame.contains(from) || from.z() < levels.lowest || from.z() > levels.highest) {
     check::fail("from", from.transpose(), "a cell inside the window and its levels");
   }
-  nx_ = frame.nx();
-  ny_ = frame.ny();
-  words_ = grid.words_per_column();
-  reached_.assign(grid.words().size(), 0);
-  queued_.assign(static_cast<std::size_t>(nx_) * ny_, 0);
-  queue_.clear();
+  begin(grid);
   open_levels_.assign(words_, 0);
   const int highest = std::min(levels.highest, frame.nz() - 1);
   for (int level = std::max(levels.lowest, 0); level <= highest; ++level) {
     open_levels_[level >> 6] |= std::uint64_t{1} << (level & 63);
   }
-  touched_edge_ = false;
-
-  const auto wake = [&](std::uint32_t column) {
-    if (queued_[column]) return;
-    queued_[column] = 1;
-    queue_.push_back(column);
-  };
   const auto first = static_cast<std::uint32_t>(from.x() * ny_ + from.y());
-  reached_[std::size_t{first} * words_ + (from.z() >> 6)] |= std::uint64_t{1} << (from.z() & 63);
+  reached_[std::size_t{first} * words_ + (from.z() >> 6)] = std::uint64_t{1} << (from.z() & 63);
+  const auto wake = [&](std::uint32_t column) {
+    State& state = states_[column];
+    if (state == State::Waiting) return;
+    if (state == State::Untouched) touched_.push_back(column);
+    state = State::Waiting;
+    next_.push_back(column);
+  };
   wake(first);
+  const int ceiling = (frame.nz() - 1) & 63;
 
-  // First in, first out; a column may come back with more levels. The queue grows at its end only.
-  for (std::size_t head = 0; head < queue_.size(); ++head) {
-    const std::uint32_t column = queue_[head];
-    queued_[column] = 0;
-    const int ix = static_cast<int>(column) / ny_;
-    const int iy = static_cast<int>(column) % ny_;
-    std::uint64_t* here = reached_.data() + std::size_t{column} * words_;
-    spread(here, grid.column(ix, iy), open_levels_.data(), words_);
-    if (ix == 0 || iy == 0 || ix == nx_ - 1 || iy == ny_ - 1) touched_edge_ = true;
-    if (until && (touched_edge_ || reached(*until))) return;
+  while (!next_.empty()) {
+    front_.swap(next_);
+    next_.clear();
+    for (const std::uint32_t column : front_) {
+      states_[column] = State::Touched;  // it may come back with more levels
+      const int ix = static_cast<int>(column) / ny_;
+      const int iy = static_cast<int>(column) % ny_;
+      std::uint64_t* here = &reached_[std::size_t{column} * words_];
+      spread(here, grid.column(ix, iy), open_levels_.data(), words_);
+      // Levels at the window's floor or ceiling are an edge too.
+      touched_edge_ |= ix == 0 || iy == 0 || ix == nx_ - 1 || iy == ny_ - 1 || (here[0] & 1u) ||
+                       (here[words_ - 1] >> ceiling & 1u);
+      if (until && (touched_edge_ || reached(*until))) return;
 
-    const int neighbours[4][2] = {{ix - 1, iy}, {ix + 1, iy}, {ix, iy - 1}, {ix, iy + 1}};
-    for (const auto& [jx, jy] : neighbours) {
-      if (jx < 0 || jy < 0 || jx >= nx_ || jy >= ny_) continue;
-      const auto other = static_cast<std::uint32_t>(jx * ny_ + jy);
-      std::uint64_t* there = reached_.data() + std::size_t{other} * words_;
-      const std::uint64_t* blocked = grid.column(jx, jy);
-      bool news = false;
-      for (int w = 0; w < words_; ++w) {
-        const std::uint64_t added = here[w] & ~blocked[w] & open_levels_[w] & ~there[w];
-        there[w] |= added;
-        news |= added != 0;
+      const int neighbours[4][2] = {{ix - 1, iy}, {ix + 1, iy}, {ix, iy - 1}, {ix, iy + 1}};
+      for (const auto& [jx, jy] : neighbours) {
+        if (jx < 0 || jy < 0 || jx >= nx_ || jy >= ny_) continue;
+        const auto other = static_cast<std::uint32_t>(jx * ny_ + jy);
+        std::uint64_t* there = &reached_[std::size_t{other} * words_];
+        const std::uint64_t* blocked = grid.column(jx, jy);
+        bool news = false;
+        for (int w = 0; w < words_; ++w) {
+          const std::uint64_t added = here[w] & ~blocked[w] & open_levels_[w] & ~there[w];
+          there[w] |= added;
+          news |= added != 0;
+        }
+        if (news) wake(other);
       }
-      if (news) wake(other);
     }
-    if (head > (std::size_t{1} << 20)) {  // keep the memory bounded
-      queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(head) + 1);
-      head = static_cast<std::size_t>(-1);
-    }
-  }
-  // Levels at the window's floor or ceiling are an edge too.
-  for (std::size_t i = 0; i < reached_.size() && !touched_edge_; i += words_) {
-    touched_edge_ =
-        (reached_[i] & 1u) != 0 || (reached_[i + words_ - 1] >> ((frame.nz() - 1) & 63) & 1u) != 0;
   }
 }
 
@@ -112,7 +123,10 @@ bool Flood::reached(const Cell& cell) const {
 
 std::int64_t Flood::count() const {
   std::int64_t sum = 0;
-  for (const std::uint64_t word : reached_) sum += __builtin_popcountll(word);
+  for (const std::uint32_t column : touched_) {
+    const std::uint64_t* words = &reached_[std::size_t{column} * words_];
+    for (int w = 0; w < words_; ++w) sum += __builtin_popcountll(words[w]);
+  }
   return sum;
 }
 

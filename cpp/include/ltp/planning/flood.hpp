@@ -10,12 +10,13 @@
 
 #include "ltp/grid/neighbourhood.hpp"
 #include "ltp/grid/occupancy_grid.hpp"
+#include "ltp/planning/zeroed_array.hpp"
 
 namespace ltp {
 
 /// Since a diagonal step needs every cell of its bounding box free, what 26 neighbours reach six
 /// reach too: a flood over faces, a whole bit column at a time. It shares nothing with the
-/// planners' searches.
+/// planners' searches. A small fill costs what it reaches, not the window.
 class Flood {
  public:
   /// Fills from a cell, which counts as free itself, over the free cells of the levels. Throws
@@ -32,10 +33,20 @@ class Flood {
   std::int64_t count() const;  ///< cells reached
 
  private:
-  std::vector<std::uint64_t> reached_;
+  enum class State : std::uint8_t {
+    Untouched,
+    Touched,
+    Waiting,  ///< has news to spread
+  };
+
+  void begin(const OccupancyGrid& grid);
+
+  ZeroedArray<std::uint64_t> reached_;
+  ZeroedArray<State> states_;               ///< of the columns
+  std::vector<std::uint32_t> touched_;      ///< columns, each once: what a next fill must clear
+  std::vector<std::uint32_t> front_;        ///< columns whose news are being spread
+  std::vector<std::uint32_t> next_;         ///< columns with news to spread
   std::vector<std::uint64_t> open_levels_;  ///< the levels that may be used, as one column
-  std::vector<std::uint32_t> queue_;        ///< columns with news to spread
-  std::vector<char> queued_;
   int nx_ = 0;
   int ny_ = 0;
   int words_ = 0;
