@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "city.hpp"
+#include "lidar_city.hpp"
 #include "ltp/sensing/height_surface.hpp"
 
 namespace ltp::bench {
@@ -37,7 +37,7 @@ struct Triangles {
 Triangles box_mesh(const City& city) {
   Triangles mesh;
   mesh.quad({0, 0, 0}, {City::kEdge, 0, 0}, {0, City::kEdge, 0});
-  for (const Box& box : city.boxes) {
+  for (const Building& box : city.boxes) {
     const Point low(box.x, box.y, 0);
     const Point dx(box.dx, 0, 0);
     const Point dy(0, box.dy, 0);

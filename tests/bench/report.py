@@ -12,8 +12,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from .goals import GOALS, Score, score
+from .goals import GOALS
 from .results import Figure, Results, figure, load
+from .scoring import Score, score
 
 _MARKED = re.compile(r"(<!-- bench:(?!end)(\w+) -->\n).*?(<!-- bench:end -->)", re.DOTALL)
 

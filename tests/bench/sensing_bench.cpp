@@ -3,7 +3,7 @@
 // One scan of 65,536 rays, level and tilted, and the floor beside it: reading each height under it.
 #include <benchmark/benchmark.h>
 
-#include "city.hpp"
+#include "lidar_city.hpp"
 #include "ltp/grid/ray_walk.hpp"
 #include "ltp/sensing/height_surface.hpp"
 

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "box_city.hpp"
 #include "each_query.hpp"
 #include "ltp/planning/distance_field.hpp"
 #include "ltp/planning/planner.hpp"
+#include "planning_city.hpp"
 
 namespace ltp::bench {
 namespace {

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "box_city.hpp"
 #include "each_query.hpp"
 #include "ltp/planning/flood.hpp"
 #include "ltp/planning/wavefront.hpp"
+#include "planning_city.hpp"
 
 namespace ltp::bench {
 namespace {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scenes.hpp"
+#include "slow_distances.hpp"
 
 namespace ltp {
 namespace {
@@ -135,6 +136,53 @@ TEST(Flood, EndsEarlyOnlyWhereTheAnswerIsKnown) {
   }
   EXPECT_GT(walled_off, 50);
   EXPECT_GT(spared, 50);
+}
+
+TEST(Flood, PartsNothingThatItWouldJoin) {
+  std::mt19937_64 random(1);
+  Flood brief;
+  int parted = 0;
+  int joined = 0;
+  for (int k = 0; k < 2000; ++k) {
+    OccupancyGrid grid = test::random_grid(random);
+    const Cell inside = test::random_cell(random, grid.frame());
+    const Cell outside = test::random_cell(random, grid.frame());
+    if (inside == outside) continue;
+    grid.set(inside, false);
+    grid.set(outside, false);
+    const LevelRange levels{std::min(inside.z(), outside.z()), grid.frame().nz() - 1};
+    Flood flood;
+    flood.fill(grid, inside, levels);
+    const bool answer = brief.parts(grid, inside, outside, levels, random() % 200);
+    if (flood.reached(outside)) {
+      ASSERT_FALSE(answer) << k;
+    }
+    ASSERT_EQ(brief.parts(grid, inside, outside, levels, 1 << 20), !flood.reached(outside)) << k;
+    (answer ? parted : joined) += 1;
+  }
+  EXPECT_GT(parted, 200);
+  EXPECT_GT(joined, 500);
+}
+
+TEST(Flood, PartsAClosedRoomFromTheRest) {
+  OccupancyGrid grid(GridFrame({0, 0, 0}, {2, 2, 4}, {80, 80, 20}));
+  for (int x = 30; x <= 50; ++x) {
+    for (int y = 30; y <= 50; ++y) {
+      for (int z = 0; z <= 15; ++z) {
+        grid.set(Cell(x, y, z), x % 20 == 10 || y % 20 == 10 || z % 15 == 0);
+      }
+    }
+  }
+  const LevelRange all{0, 19};
+  Flood flood;
+  EXPECT_TRUE(flood.parts(grid, Cell(40, 40, 8), Cell(3, 3, 8), all, 1024));
+  EXPECT_TRUE(flood.parts(grid, Cell(40, 40, 8), Cell(3, 3, 8), {8, 8}, 1024));
+  EXPECT_FALSE(flood.parts(grid, Cell(40, 40, 8), Cell(45, 32, 2), all, 1024));
+  EXPECT_FALSE(flood.parts(grid, Cell(3, 3, 8), Cell(40, 40, 8), all, 1024))
+      << "the rest is too much";
+  grid.set(Cell(30, 42, 1), false);
+  EXPECT_FALSE(flood.parts(grid, Cell(40, 40, 8), Cell(3, 3, 8), all, 1024));
+  EXPECT_TRUE(flood.parts(grid, Cell(40, 40, 8), Cell(3, 3, 8), {8, 8}, 1024));
 }
 
 TEST(Flood, FollowsACorridorAllTheWay) {

@@ -7,23 +7,13 @@
 #include <random>
 #include <vector>
 
+#include "all_vectors.hpp"
 #include "height_scenes.hpp"
-#include "sensing/cell_walk.hpp"
 
 namespace ltp {
 namespace {
 
 using namespace test;  // NOLINT: the scenes
-
-/// Every set of vectors that this machine can use, one after the other.
-std::vector<sensing::Vectors> all_vectors() {
-  std::vector<sensing::Vectors> all;
-  for (const auto vectors :
-       {sensing::Vectors::Baseline, sensing::Vectors::Avx2, sensing::Vectors::Avx512}) {
-    if (sensing::supported(vectors)) all.push_back(vectors);
-  }
-  return all;
-}
 
 /// Compares a bundle with its rays; how many hit.
 int expect_same_as_single(const Surface& surface, const Point& from, const Eigen::Matrix3d& turn,
@@ -52,13 +42,9 @@ int expect_same_as_single(const Surface& surface, const Point& from, const Eigen
 /// With each set of vectors.
 int expect_same(const Surface& surface, const Point& from, const Eigen::Matrix3d& turn,
                 const Path& directions, double max_range) {
-  const sensing::Vectors at_first = sensing::vectors();
   int hits = 0;
-  for (const sensing::Vectors vectors : all_vectors()) {
-    sensing::use(vectors);
-    hits = expect_same_as_single(surface, from, turn, directions, max_range);
-  }
-  sensing::use(at_first);
+  with_all_vectors(
+      [&] { hits = expect_same_as_single(surface, from, turn, directions, max_range); });
   return hits;
 }
 
@@ -132,9 +118,7 @@ TEST(HeightSurface, ABundleIsItsRaysFarFromTheOriginOfTheWorldAndFarAbove) {
   EXPECT_GT(hits, 10000);
 }
 
-TEST(HeightSurface, TheWidestVectorsAreUsed) {
-  EXPECT_EQ(sensing::vectors(), all_vectors().back());
-}
+TEST(HeightSurface, TheWidestVectorsAreUsed) { EXPECT_EQ(vectors(), all_vectors().back()); }
 
 TEST(HeightSurface, RaysOfManyOriginsKeepTheirOrder) {
   Random random(14);

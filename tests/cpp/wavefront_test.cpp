@@ -11,6 +11,7 @@
 #include <random>
 #include <vector>
 
+#include "all_vectors.hpp"
 #include "planning/wave_kernels.hpp"
 #include "scenes.hpp"
 
@@ -127,8 +128,8 @@ TEST(Wavefront, IsTheSameForRegistersOfEveryWidth) {
     const auto mask = [&] { return random() % 2 == 0 ? ~std::uint64_t{0} : 0; };
     const std::uint64_t masks[] = {mask(), mask(), mask()};
     std::vector<std::uint64_t> plain;
-    for (const wave::Kernels& kernels : wave::kernels()) {
-      SCOPED_TRACE(kernels.name);
+    test::with_all_vectors([&] {
+      const wave::Kernels& kernels = wave::kernels();
       std::vector<std::uint64_t> result(kSize, 0);
       const std::uint64_t any =
           kernels.spread_straight(words, masks[0], masks[1], masks[2], result.data() + 70);
@@ -140,7 +141,7 @@ TEST(Wavefront, IsTheSameForRegistersOfEveryWidth) {
       result.push_back(static_cast<std::uint64_t>(bits));
       if (plain.empty()) plain = result;
       ASSERT_EQ(result, plain);
-    }
+    });
   }
 }
 

@@ -10,9 +10,10 @@ import pytest
 
 from ltp import Query, flood_fill
 from tests.bench import contest, graph, judges, mesh, workload
-from tests.bench.goals import GOALS, Goal, cpp, python, score
+from tests.bench.goals import GOALS
 from tests.bench.report import fill, summary
 from tests.bench.results import Figure, Results, figure, load
+from tests.bench.scoring import Goal, cpp, python, score
 
 TOWN = "b3b29157783408900ce28c9192195503d35e5df5"
 SENSING = "37c7693406f897c12b5ac5aca0d6e039f5912ecd"

@@ -9,7 +9,6 @@
 
 #include "ltp/planning/linearisation.hpp"
 #include "ltp/planning/penalty_bound.hpp"
-#include "ltp/planning/stopwatch.hpp"
 
 namespace ltp {
 namespace {
@@ -159,16 +158,8 @@ AraStarPlanner::AraStarPlanner(const PlannerOptions& options) : options_(options
 }
 
 Plan AraStarPlanner::plan(const Scene& scene, const Query& query) {
-  const Stopwatch watch;
-  Plan plan;
-  const auto [refused, cells] = resolve(scene, query);
-  if (refused) {
-    plan.status = *refused;
-  } else {
-    search(scene, query, cells, plan);
-  }
-  plan.stats.seconds = watch.seconds();
-  return plan;
+  return answer(scene, query,
+                [&](const GridQuery& cells, Plan& plan) { search(scene, query, cells, plan); });
 }
 
 void AraStarPlanner::search(const Scene& scene, const Query& query, const GridQuery& cells,
@@ -190,8 +181,7 @@ void AraStarPlanner::search(const Scene& scene, const Query& query, const GridQu
       return;
     }
     Plan candidate;
-    accept(scene, query, cells, options_.weights,
-           path_through(scene.occupancy.frame(), query, search_.chain()), candidate);
+    accept(scene, query, cells, options_.weights, search_.chain(), candidate);
     if (best.status != PlanStatus::Found || candidate.penalty < best.penalty) {
       candidate.stats = best.stats;
       best = std::move(candidate);

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "ltp/planning/curve.hpp"
-#include "ltp/planning/stopwatch.hpp"
 
 namespace ltp {
 namespace {
@@ -47,12 +46,8 @@ void BezierPlanner::draw(const Query& query, double first, double second, double
 }
 
 Plan BezierPlanner::plan(const Scene& scene, const Query& query) {
-  const Stopwatch watch;
   const BezierOptions& options = options_.bezier;
-  Plan plan;
-  const auto [refused, cells] = resolve(scene, query);
-  plan.status = refused.value_or(PlanStatus::NoneFound);
-  if (!refused) {
+  return answer(scene, query, [&](const GridQuery& cells, Plan& plan) {
     const Penalty penalty(options_.weights, cells.direct_length);
     // Eq. (3) has no price for a loop back to where the UAV is: it stays there.
     const bool moves = cells.direct_length > 0.0;
@@ -90,9 +85,7 @@ Plan BezierPlanner::plan(const Scene& scene, const Query& query) {
     } else if (path.rows() > 0) {
       accept(scene, query, cells, options_.weights, std::move(path), plan);
     }
-  }
-  plan.stats.seconds = watch.seconds();
-  return plan;
+  });
 }
 
 }  // namespace ltp

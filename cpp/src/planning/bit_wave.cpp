@@ -145,7 +145,7 @@ void BitWave::spread(const Pattern& steps) {
   const std::size_t next = words_ + 2;  // columns to the next along the outer axis
   const std::ptrdiff_t y = inner_ + 2;
   const std::ptrdiff_t far = static_cast<std::ptrdiff_t>(next) * y;
-  const wave::Kernels& kernels = wave::kernels().back();
+  const wave::Kernels& kernels = wave::kernels();
   touched_.clear();
   const int last = std::min(reached_high_ + 1, outer_ - 1);
   for (int outer = std::max(reached_low_ - 1, 0); outer <= last; ++outer) {
@@ -176,7 +176,7 @@ void BitWave::spread(const Pattern& steps) {
 
 /// Marks what was added; returns how many cells.
 std::int64_t BitWave::settle(int generation) {
-  const wave::Kernels& kernels = wave::kernels().back();
+  const wave::Kernels& kernels = wave::kernels();
   std::int64_t cells = 0;
   for (const auto& [column, places] : touched_) {
     const std::size_t first = begin_of(column) + places.low;

@@ -5,7 +5,6 @@
 #include <functional>
 #include <vector>
 
-#include "ltp/planning/stopwatch.hpp"
 #include "planar_bug.hpp"
 
 namespace ltp {
@@ -29,11 +28,7 @@ Path polyline(const std::vector<Point>& way) {
 BugPlanner::BugPlanner(const PlannerOptions& options) : options_(options) { options.check(); }
 
 Plan BugPlanner::plan(const Scene& scene, const Query& query) {
-  const Stopwatch watch;
-  Plan plan;
-  const auto [refused, cells] = resolve(scene, query);
-  plan.status = refused.value_or(PlanStatus::NoneFound);
-  if (!refused) {
+  return answer(scene, query, [&](const GridQuery& cells, Plan& plan) {
     const OccupancyGrid& grid = scene.occupancy;
     // Each look around is dear, so the caller is asked every time.
     const std::function<bool()> spent = [&] {
@@ -63,9 +58,7 @@ Plan BugPlanner::plan(const Scene& scene, const Query& query) {
       if (way.size() == 1 || way.back() != query.goal) way.push_back(query.goal);
       accept(scene, query, cells, options_.weights, polyline(way), plan);
     }
-  }
-  plan.stats.seconds = watch.seconds();
-  return plan;
+  });
 }
 
 }  // namespace ltp

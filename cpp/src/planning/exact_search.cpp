@@ -93,7 +93,7 @@ PlanStatus ExactSearch::improve(const Scene& scene, const Query& query, const Gr
   std::vector<Cell> chain;
   for (const std::uint32_t node : incumbent.chain) chain.push_back(graph_.cell(node));
   Plan better;
-  accept(scene, query, cells, weights, path_through(frame, query, chain), better);
+  accept(scene, query, cells, weights, chain, better);
   // Where the raster's cells are not the grid's columns, the first path may by chance be better.
   if (better.penalty < plan.penalty) {
     better.stats = plan.stats;

@@ -58,6 +58,18 @@ void Flood::begin(const OccupancyGrid& grid) {
 
 void Flood::fill(const OccupancyGrid& grid, const Cell& from, const LevelRange& levels,
                  const std::optional<Cell>& until) {
+  spread_from(grid, from, levels, [&] { return until && (touched_edge_ || reached(*until)); });
+}
+
+bool Flood::parts(const OccupancyGrid& grid, const Cell& inside, const Cell& outside,
+                  const LevelRange& levels, std::size_t most) {
+  std::size_t visits = 0;
+  return spread_from(grid, inside, levels, [&] { return reached(outside) || ++visits > most; });
+}
+
+template <typename Enough>
+bool Flood::spread_from(const OccupancyGrid& grid, const Cell& from, const LevelRange& levels,
+                        Enough&& enough) {
   const GridFrame& frame = grid.frame();
   if (!frame.contains(from) || from.z() < levels.lowest || from.z() > levels.highest) {
     check::fail("from", from.transpose(), "a cell inside the window and its levels");
@@ -92,7 +104,7 @@ void Flood::fill(const OccupancyGrid& grid, const Cell& from, const LevelRange& 
       // Levels at the window's floor or ceiling are an edge too.
       touched_edge_ |= ix == 0 || iy == 0 || ix == nx_ - 1 || iy == ny_ - 1 || (here[0] & 1u) ||
                        (here[words_ - 1] >> ceiling & 1u);
-      if (until && (touched_edge_ || reached(*until))) return;
+      if (enough()) return false;
 
       const int neighbours[4][2] = {{ix - 1, iy}, {ix + 1, iy}, {ix, iy - 1}, {ix, iy + 1}};
       for (const auto& [jx, jy] : neighbours) {
@@ -110,6 +122,7 @@ void Flood::fill(const OccupancyGrid& grid, const Cell& from, const LevelRange& 
       }
     }
   }
+  return true;
 }
 
 bool Flood::reached(const Cell& cell) const {

@@ -66,6 +66,11 @@ void accept(const Scene& scene, const Query& query, const GridQuery& cells,
       plan.tally, scene.priority.at(query.goal.x(), query.goal.y()));
 }
 
+void accept(const Scene& scene, const Query& query, const GridQuery& cells,
+            const PenaltyWeights& weights, const std::vector<Cell>& chain, Plan& plan) {
+  accept(scene, query, cells, weights, path_through(scene.occupancy.frame(), query, chain), plan);
+}
+
 Path path_through(const GridFrame& frame, const Query& query, const std::vector<Cell>& chain) {
   const auto size = static_cast<Eigen::Index>(chain.size());
   Path path(std::max<Eigen::Index>(size, 2), 3);

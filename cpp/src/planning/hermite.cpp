@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "ltp/planning/curve.hpp"
-#include "ltp/planning/stopwatch.hpp"
 
 namespace ltp {
 namespace {
@@ -189,11 +188,7 @@ void HermitePlanner::draw(const Query& query, const Tangents& tangents) {
 }
 
 Plan HermitePlanner::plan(const Scene& scene, const Query& query) {
-  const Stopwatch watch;
-  Plan plan;
-  const auto [refused, cells] = resolve(scene, query);
-  plan.status = refused.value_or(PlanStatus::NoneFound);
-  if (!refused) {
+  return answer(scene, query, [&](const GridQuery& cells, Plan& plan) {
     Search search(*this, scene, query, cells, plan.stats);
     const std::optional<Tangents> best = search.run();
     if (search.stopped()) {
@@ -202,9 +197,7 @@ Plan HermitePlanner::plan(const Scene& scene, const Query& query) {
       draw(query, *best);
       accept(scene, query, cells, options_.weights, curve_, plan);
     }
-  }
-  plan.stats.seconds = watch.seconds();
-  return plan;
+  });
 }
 
 }  // namespace ltp

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "ltp/planning/linearisation.hpp"
-#include "ltp/planning/stopwatch.hpp"
 
 namespace ltp {
 namespace {
@@ -67,12 +66,7 @@ IncrementalPlanner::IncrementalPlanner(const PlannerOptions& options) : options_
 }
 
 Plan IncrementalPlanner::plan(const Scene& scene, const Query& query) {
-  const Stopwatch watch;
-  Plan plan;
-  const auto [refused, cells] = resolve(scene, query);
-  if (refused) {
-    plan.status = *refused;
-  } else {
+  return answer(scene, query, [&](const GridQuery& cells, Plan& plan) {
     plan.status = PlanStatus::Found;
     std::vector<Cell> chain{cells.start};
     if (cells.start != cells.goal) {
@@ -80,12 +74,9 @@ Plan IncrementalPlanner::plan(const Scene& scene, const Query& query) {
       plan.status = search(call, plan.stats, chain);
     }
     if (plan.status == PlanStatus::Found) {
-      accept(scene, query, cells, options_.weights,
-             path_through(scene.occupancy.frame(), query, chain), plan);
+      accept(scene, query, cells, options_.weights, chain, plan);
     }
-  }
-  plan.stats.seconds = watch.seconds();
-  return plan;
+  });
 }
 
 PlanStatus IncrementalPlanner::search(const Call& call, SearchStats& stats,

@@ -3,7 +3,6 @@
 #include "ltp/planning/length_priority.hpp"
 
 #include "ltp/geometry/check.hpp"
-#include "ltp/planning/stopwatch.hpp"
 
 namespace ltp {
 
@@ -15,22 +14,14 @@ LengthPriorityPlanner::LengthPriorityPlanner(std::string name, double heuristic_
 }
 
 Plan LengthPriorityPlanner::plan(const Scene& scene, const Query& query) {
-  const Stopwatch watch;
-  Plan plan;
-  const auto [refused, cells] = resolve(scene, query);
-  if (refused) {
-    plan.status = *refused;
-  } else if (heuristic_weight_ == 0.0 && options_.weights.priority == 0.0) {
-    plan.status = dijkstra(scene, query, cells, plan.stats);
-  } else {
-    plan.status = search(scene, query, cells, plan.stats);
-  }
-  if (plan.status == PlanStatus::Found) {
-    Path path = path_through(scene.occupancy.frame(), query, chain_);
-    accept(scene, query, cells, options_.weights, std::move(path), plan);
-  }
-  plan.stats.seconds = watch.seconds();
-  return plan;
+  return answer(scene, query, [&](const GridQuery& cells, Plan& plan) {
+    const bool only_length = heuristic_weight_ == 0.0 && options_.weights.priority == 0.0;
+    plan.status = only_length ? dijkstra(scene, query, cells, plan.stats)
+                              : search(scene, query, cells, plan.stats);
+    if (plan.status == PlanStatus::Found) {
+      accept(scene, query, cells, options_.weights, chain_, plan);
+    }
+  });
 }
 
 PlanStatus LengthPriorityPlanner::dijkstra(const Scene& scene, const Query& query,

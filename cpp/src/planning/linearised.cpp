@@ -9,7 +9,6 @@
 
 #include "ltp/planning/ellipse.hpp"
 #include "ltp/planning/linearisation.hpp"
-#include "ltp/planning/stopwatch.hpp"
 
 namespace ltp {
 namespace {
@@ -33,18 +32,13 @@ LinearisedPlanner::LinearisedPlanner(std::string name, int max_searches,
 }
 
 Plan LinearisedPlanner::plan(const Scene& scene, const Query& query) {
-  const Stopwatch watch;
-  Plan plan;
-  const auto [refused, cells] = resolve(scene, query);
-  if (refused) {
-    plan.status = *refused;
-  } else if (options_.weights.priority == 0.0 && cells.start != cells.goal) {
-    shortest(scene, query, cells, plan);
-  } else {
-    search(scene, query, cells, plan);
-  }
-  plan.stats.seconds = watch.seconds();
-  return plan;
+  return answer(scene, query, [&](const GridQuery& cells, Plan& plan) {
+    if (options_.weights.priority == 0.0 && cells.start != cells.goal) {
+      shortest(scene, query, cells, plan);
+    } else {
+      search(scene, query, cells, plan);
+    }
+  });
 }
 
 void LinearisedPlanner::shortest(const Scene& scene, const Query& query, const GridQuery& cells,
@@ -52,8 +46,7 @@ void LinearisedPlanner::shortest(const Scene& scene, const Query& query, const G
   const Budget budget(options_.max_expansions, query.interrupted);
   plan.status = shortest_.run(scene, query, cells, budget, plan.stats);
   if (plan.status != PlanStatus::Found) return;
-  accept(scene, query, cells, options_.weights,
-         path_through(scene.occupancy.frame(), query, shortest_.chain()), plan);
+  accept(scene, query, cells, options_.weights, shortest_.chain(), plan);
   plan.bound = plan.penalty;
 }
 
@@ -98,8 +91,7 @@ void LinearisedPlanner::search(const Scene& scene, const Query& query, const Gri
         search_.run(scene, query, cells, cost, budget, best.stats, longest);
     if (found.status != PlanStatus::Found) return found;
     Plan candidate;
-    accept(scene, query, cells, options_.weights, path_through(frame, query, found.chain),
-           candidate);
+    accept(scene, query, cells, options_.weights, found.chain, candidate);
     if (best.status != PlanStatus::Found || candidate.penalty < best.penalty) {
       candidate.stats = best.stats;
       candidate.bound = best.bound;

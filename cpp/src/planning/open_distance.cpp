@@ -18,6 +18,14 @@ void OpenDistance::aim(const Cell& target, const std::array<Units, kSteps>& leng
   changes_.fill(kUnknown);
 }
 
+void OpenDistance::aim(const Cell& target, const std::array<Units, kSteps>& lengths) {
+  std::array<Units, 27> last{};
+  for (int i = 0; i < kSteps; ++i) {
+    last[neighbour_bit(steps()[i].dx, steps()[i].dy, steps()[i].dz)] = lengths[i];
+  }
+  aim(target, lengths, last);
+}
+
 OpenDistance::Units OpenDistance::change_of(int kind) const {
   const Cell by(kind / kStride[0] - kReach, kind / kStride[1] % kEdge - kReach,
                 kind % kEdge - kReach);

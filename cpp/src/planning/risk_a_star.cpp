@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "ltp/planning/stopwatch.hpp"
-
 namespace ltp {
 
 RiskAStarPlanner::RiskAStarPlanner(const PlannerOptions& options) : options_(options) {
@@ -13,24 +11,16 @@ RiskAStarPlanner::RiskAStarPlanner(const PlannerOptions& options) : options_(opt
 }
 
 Plan RiskAStarPlanner::plan(const Scene& scene, const Query& query) {
-  const Stopwatch watch;
-  Plan plan;
-  const auto [refused, cells] = resolve(scene, query);
-  if (refused) {
-    plan.status = *refused;
-  } else {
+  return answer(scene, query, [&](const GridQuery& cells, Plan& plan) {
     const double no_risk = std::max(scene.priority.maximum(), 1.0);
     const AdditiveCost cost{no_risk + options_.risk.length_factor, 1.0};
     const Budget budget(options_.max_expansions, query.interrupted);
     const AdditiveResult found = search_.run(scene, query, cells, cost, budget, plan.stats);
     plan.status = found.status;
     if (found.status == PlanStatus::Found) {
-      accept(scene, query, cells, options_.weights,
-             path_through(scene.occupancy.frame(), query, found.chain), plan);
+      accept(scene, query, cells, options_.weights, found.chain, plan);
     }
-  }
-  plan.stats.seconds = watch.seconds();
-  return plan;
+  });
 }
 
 }  // namespace ltp

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wave_kernels.hpp"
 
+#include <initializer_list>
+
+#include "ltp/geometry/vectors.hpp"
+
 namespace ltp::wave {
 namespace {
 
@@ -66,10 +70,10 @@ LTP_INLINE std::int64_t mark(const std::uint64_t* added, int count, std::uint64_
                                        std::uint64_t* reached) {                        \
       return mark(added, count, reached);                                               \
     }                                                                                   \
-    static constexpr Kernels kernels{#NAME, spread_straight, spread_diagonally, take};  \
+    static constexpr Kernels kernels{spread_straight, spread_diagonally, take};         \
   }
 
-LTP_VARIANT(Plain, );
+LTP_VARIANT(Baseline, );
 #ifdef __x86_64__
 LTP_VARIANT(Avx2, __attribute__((target("avx2,popcnt"))));
 LTP_VARIANT(Avx512, __attribute__((target("avx512f,popcnt"))));
@@ -77,18 +81,12 @@ LTP_VARIANT(Avx512, __attribute__((target("avx512f,popcnt"))));
 
 }  // namespace
 
-const std::vector<Kernels>& kernels() {
-  static const std::vector<Kernels> supported = [] {
-    std::vector<Kernels> all{Plain::kernels};
+const Kernels& kernels() {
 #ifdef __x86_64__
-    if (__builtin_cpu_supports("popcnt")) {
-      if (__builtin_cpu_supports("avx2")) all.push_back(Avx2::kernels);
-      if (__builtin_cpu_supports("avx512f")) all.push_back(Avx512::kernels);
-    }
+  if (vectors() == Vectors::Avx512) return Avx512::kernels;
+  if (vectors() == Vectors::Avx2) return Avx2::kernels;
 #endif
-    return all;
-  }();
-  return supported;
+  return Baseline::kernels;
 }
 
 }  // namespace ltp::wave

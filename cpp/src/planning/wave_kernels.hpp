@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace ltp::wave {
 
@@ -17,9 +16,7 @@ struct Words {
   int count;
 };
 
-/// All of them work on integers, so every variant gives the same.
 struct Kernels {
-  const char* name;
   /// A step along each axis whose mask is not 0. Returns what may still be reached, or'ed.
   std::uint64_t (*spread_straight)(const Words& words, std::uint64_t along_x, std::uint64_t along_y,
                                    std::uint64_t along_z, std::uint64_t* added);
@@ -29,7 +26,7 @@ struct Kernels {
   std::int64_t (*take)(const std::uint64_t* added, int count, std::uint64_t* reached);
 };
 
-/// Those that this processor can run, the plain ones first, the fastest last.
-const std::vector<Kernels>& kernels();
+/// Those for the registers in use, see `Vectors`.
+const Kernels& kernels();
 
 }  // namespace ltp::wave

@@ -3,11 +3,11 @@
 #include "cell_walk.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <limits>
 
 #include "column_hit.hpp"
+#include "ltp/geometry/vectors.hpp"
 
 #define LTP_INLINE __attribute__((always_inline))
 // No vector leaves the function that it was made in, whatever the compiler fears.
@@ -50,28 +50,7 @@ auto* compiled_for(Vectors vectors) {
                                     : baseline::glance_and_walk;
 }
 
-std::atomic<Vectors>& in_use() {
-  static std::atomic<Vectors> vectors = supported(Vectors::Avx512) ? Vectors::Avx512
-                                        : supported(Vectors::Avx2) ? Vectors::Avx2
-                                                                   : Vectors::Baseline;
-  return vectors;
-}
-
 }  // namespace
-
-bool supported(Vectors vectors) {
-#ifdef __x86_64__
-  if (vectors == Vectors::Avx2) return __builtin_cpu_supports("avx2");
-  if (vectors == Vectors::Avx512) {
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512vl");
-  }
-#endif
-  return vectors == Vectors::Baseline;
-}
-
-Vectors vectors() { return in_use(); }
-void use(Vectors vectors) { in_use() = vectors; }
 
 int glance_and_walk(const BundleStart& from, const Panorama& panorama, Panorama::Rays& rays,
                     int count, RayEnds& ends) {

@@ -35,14 +35,6 @@ struct RayEnds {
   alignas(64) std::array<double, kMost> z;
 };
 
-/// The processors that the work is compiled for. All give the same bytes.
-enum class Vectors { Baseline, Avx2, Avx512 };
-bool supported(Vectors vectors);
-/// What bundles are cast with: at first the widest that is supported. For tests; not while others
-/// cast.
-Vectors vectors();
-void use(Vectors vectors);
-
 /// `Panorama::glance`, then a walk over a few cells for each ray that it found; how many.
 int glance_and_walk(const BundleStart& start, const Panorama& panorama, Panorama::Rays& rays,
                     int count, RayEnds& ends);

@@ -8,7 +8,6 @@
 
 #include "ltp/planning/bucket_queue.hpp"
 #include "ltp/planning/column_field.hpp"
-#include "ltp/planning/enclosure.hpp"
 #include "ltp/planning/flood.hpp"
 #include "ltp/planning/grid_query.hpp"
 #include "ltp/planning/search_space.hpp"
@@ -48,7 +47,6 @@ class AdditiveSearch {
   SearchSpace<Node> space_;
   BucketQueue open_;
   ColumnField field_;
-  Enclosure enclosure_;
   Flood flood_;
 };
 

@@ -26,6 +26,13 @@ class Flood {
   void fill(const OccupancyGrid& grid, const Cell& from, const LevelRange& levels,
             const std::optional<Cell>& until = std::nullopt);
 
+  /// Whether no path leads from one cell to another, as far as a short look tells: false where
+  /// that is not proved within `most` visits to columns. The window's edge is a wall. What a search
+  /// asks before it sets out: goals lie inside of buildings, whose insides no ray has touched.
+  /// Throws as `fill` does.
+  bool parts(const OccupancyGrid& grid, const Cell& inside, const Cell& outside,
+             const LevelRange& levels, std::size_t most);
+
   bool reached(const Cell& cell) const;
   /// Whether the fill came to the edge of the window: what lies beyond is unknown, so it proves
   /// nothing.
@@ -40,11 +47,15 @@ class Flood {
   };
 
   void begin(const OccupancyGrid& grid);
+  /// Until `enough()` says so, asked after each visit to a column; whether it ran dry before.
+  template <typename Enough>
+  bool spread_from(const OccupancyGrid& grid, const Cell& from, const LevelRange& levels,
+                   Enough&& enough);
 
   ZeroedArray<std::uint64_t> reached_;
   ZeroedArray<State> states_;               ///< of the columns
   std::vector<std::uint32_t> touched_;      ///< columns, each once: what a next fill must clear
-  std::vector<std::uint32_t> front_;        ///< columns whose news are being spread
+  std::vector<std::uint32_t> front_;        ///< columns that are being visited, to spread news
   std::vector<std::uint32_t> next_;         ///< columns with news to spread
   std::vector<std::uint64_t> open_levels_;  ///< the levels that may be used, as one column
   int nx_ = 0;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ltp/planning/planner.hpp"
+#include "ltp/planning/stopwatch.hpp"
 
 namespace ltp {
 
@@ -31,6 +32,22 @@ struct ResolvedQuery {
 };
 ResolvedQuery resolve(const Scene& scene, const Query& query);
 
+/// The frame of every planner's `plan`: resolves the query, lets `search(const GridQuery&, Plan&)`
+/// answer it unless that is answered already, and takes the time.
+template <typename Search>
+Plan answer(const Scene& scene, const Query& query, Search&& search) {
+  const Stopwatch watch;
+  Plan plan;
+  const ResolvedQuery resolved = resolve(scene, query);
+  if (resolved.refused) {
+    plan.status = *resolved.refused;
+  } else {
+    search(resolved.cells, plan);
+  }
+  plan.stats.seconds = watch.seconds();
+  return plan;
+}
+
 /// Makes `plan` a `Found` one: stores the path, tallies it, evaluates Eq. (5). The path is first
 /// checked by an exact walk that shares nothing with the searches: throws `std::logic_error` if it
 /// touches a blocked cell, leaves the window or its levels, or does not lead from start to goal.
@@ -40,6 +57,10 @@ void accept(const Scene& scene, const Query& query, const GridQuery& cells,
 /// The polyline through the centres of a chain of cells, with its ends moved to the query's start
 /// and goal.
 Path path_through(const GridFrame& frame, const Query& query, const std::vector<Cell>& chain);
+
+/// The same for the polyline through a chain of cells.
+void accept(const Scene& scene, const Query& query, const GridQuery& cells,
+            const PenaltyWeights& weights, const std::vector<Cell>& chain, Plan& plan);
 
 /// The priority under each column of a grid: the raster's value at the column's centre, which is
 /// exact where the raster's cells are the grid's columns.

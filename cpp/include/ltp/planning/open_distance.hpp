@@ -30,6 +30,8 @@ class OpenDistance {
   ///     `neighbour_bit`; `kNoStep` where there is none
   void aim(const Cell& target, const std::array<Units, kSteps>& lengths,
            const std::array<Units, 27>& last);
+  /// At the centre of the target.
+  void aim(const Cell& target, const std::array<Units, kSteps>& lengths);
 
   /// Of any cell but the target.
   Units operator()(const Cell& cell) {

@@ -7,6 +7,7 @@
 
 #include "ltp/planning/bit_wave.hpp"
 #include "ltp/planning/grid_query.hpp"
+#include "ltp/planning/open_distance.hpp"
 #include "ltp/planning/planner.hpp"
 
 namespace ltp {
@@ -27,10 +28,11 @@ class WavefrontPlanner final : public Planner {
   Plan plan(const Scene& scene, const Query& query) override;
 
  private:
-  std::vector<Cell> descend(const Scene& scene, const GridQuery& cells) const;
+  std::vector<Cell> descend(const Scene& scene, const GridQuery& cells);
 
   PlannerOptions options_;
   BitWave wave_;
+  OpenDistance open_;
 };
 
 }  // namespace ltp

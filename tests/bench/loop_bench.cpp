@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ltp authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What happens ten times a second: scan, and all of it: scan, insert, move the window, decide.
+// All that happens ten times a second: scan, insert, move the window, decide.
 #include <benchmark/benchmark.h>
 
 #include "ltp/navigation/local_trajectory_planner.hpp"
@@ -9,16 +9,6 @@
 
 namespace ltp::bench {
 namespace {
-
-void scan(benchmark::State& state) {
-  const HeightSurface town(heights());
-  const Lidar lidar;
-  Scan scan;
-  std::uint64_t sequence = 0;
-  for (auto _ : state) lidar.scan(town, pose(kMiddle), sequence++, scan);
-  state.counters["rays"] = static_cast<double>(lidar.options().pattern.size());
-}
-BENCHMARK(scan)->Unit(benchmark::kMicrosecond);
 
 /// A scan and a decision every 0.3 m along a street, as an aircraft would: sense, then update.
 void fly_a_street(benchmark::State& state) {

@@ -14,7 +14,7 @@
 namespace ltp::bench {
 
 /// A building on whole metres, from the ground at 0 up.
-struct Box {
+struct Building {
   int x;
   int y;
   int dx;
@@ -34,7 +34,7 @@ struct City {
     for (int attempt = 0; attempt < 3000; ++attempt) {
       const int dx = draw(12, 32);
       const int dy = draw(12, 32);
-      const Box box{draw(0, kEdge - dx), draw(0, kEdge - dy), dx, dy, draw(100, 800) / 10.0};
+      const Building box{draw(0, kEdge - dx), draw(0, kEdge - dy), dx, dy, draw(100, 800) / 10.0};
       if ((values.block(box.x, box.y, dx, dy) > 0.0).any()) continue;
       values.block(box.x, box.y, dx, dy) = box.height;
       boxes.push_back(box);
@@ -44,7 +44,7 @@ struct City {
   Raster heights() const { return Raster(values, {0, 0}, 1.0); }
 
   Raster::Values values;
-  std::vector<Box> boxes;
+  std::vector<Building> boxes;
 };
 
 /// 65,536 rays, 50 m.
