@@ -10,7 +10,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['AraOptions', 'BezierOptions', 'BugOptions', 'ConcurrentTrajectoryPlanner', 'Decision', 'Front', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'ParetoOptions', 'PathTally', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'WayPointEvent', 'closest_point', 'distance_field', 'flood_fill', 'inflate', 'path_length', 'penalty', 'planner_names', 'point_at', 'resample', 'tally']
+__all__: list[str] = ['AraOptions', 'BezierOptions', 'BugOptions', 'ConcurrentTrajectoryPlanner', 'Decision', 'Front', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'ParetoOptions', 'PathTally', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'WaypointEvent', 'closest_point', 'distance_field', 'flood_fill', 'inflate', 'path_length', 'penalty', 'planner_names', 'point_at', 'resample', 'tally']
 class Pose:
     """
     Where a body is and how it is turned (world ENU, body x forward, y left, z up).
@@ -1148,7 +1148,7 @@ class Planner:
         ...
 class NavigationOptions:
     """
-    When a way-point is reached, a path left, a height allowed.
+    When a waypoint is reached, a path left, a height allowed.
     """
     __fields__: typing.ClassVar[tuple] = ('band', 'reach_distance', 'leave_distance', 'escape_distance', 'memory_widths')
     def __init__(self, **kwargs) -> None:
@@ -1162,7 +1162,7 @@ class NavigationOptions:
     @property
     def band(self) -> tuple[float, float]:
         """
-        (below, above): how far to leave the altitudes of UAV and way-point [m]; (0, 0) is planar flight
+        (below, above): how far to leave the altitudes of UAV and waypoint [m]; (0, 0) is planar flight
         """
     @band.setter
     def band(self, arg1: tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex]) -> None:
@@ -1194,7 +1194,7 @@ class NavigationOptions:
     @property
     def reach_distance(self) -> float:
         """
-        a way-point is reached within it, horizontally [m]; 0: one horizontal cell diagonal
+        a waypoint is reached within it, horizontally [m]; 0: one horizontal cell diagonal
         """
     @reach_distance.setter
     def reach_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -1205,7 +1205,7 @@ class NavigationStatus:
 
     Members:
 
-      FINISHED : no way-point is left
+      FINISHED : no waypoint is left
 
       FOLLOWING : there is a path to follow
 
@@ -1257,9 +1257,9 @@ class NavigationStatus:
     @property
     def value(self) -> int:
         ...
-class WayPointEvent:
+class WaypointEvent:
     """
-    What became of a way-point.
+    What became of a waypoint.
     """
     __fields__: typing.ClassVar[tuple] = ('index', 'reached', 'reason', 'position', 'goal', 'window_origin')
     def __repr__(self) -> str:
@@ -1267,7 +1267,7 @@ class WayPointEvent:
     @property
     def goal(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,), the way-point [m]
+        (3,), the waypoint [m]
         """
     @property
     def index(self) -> int:
@@ -1296,7 +1296,7 @@ class PlanRecord:
     """
     One answer of the planner.
     """
-    __fields__: typing.ClassVar[tuple] = ('way_point', 'direct_length', 'plan')
+    __fields__: typing.ClassVar[tuple] = ('waypoint', 'direct_length', 'plan')
     def __repr__(self) -> str:
         ...
     @property
@@ -1308,14 +1308,14 @@ class PlanRecord:
     def plan(self) -> Plan:
         ...
     @property
-    def way_point(self) -> int:
+    def waypoint(self) -> int:
         """
         for which it was asked
         """
 class LocalTrajectoryPlanner:
     """
-    The loop that flies: way-points, scans and poses in; plan and status out. Replans when the path is
-    blocked, left, or its way-point retired; drops a way-point only on proof.
+    The loop that flies: waypoints, scans and poses in; plan and status out. Replans when the path is
+    blocked, left, or its waypoint retired; drops a waypoint only on proof.
     """
     def __init__(self, priority: Raster, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], *, planner: str = 'auto', planner_options: PlannerOptions = ..., map_options: ObstacleMapOptions = ..., options: NavigationOptions = ...) -> None:
         """
@@ -1328,7 +1328,7 @@ class LocalTrajectoryPlanner:
         """
     def set_priority(self, priority: Raster) -> None:
         ...
-    def set_way_points(self, way_points: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> None:
+    def set_waypoints(self, waypoints: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> None:
         """
         Replaces what is left of the global path; (N, 3), world [m].
         """
@@ -1337,9 +1337,9 @@ class LocalTrajectoryPlanner:
         Decides what to do at a position (3,) [m].
         """
     @property
-    def events(self) -> list[WayPointEvent]:
+    def events(self) -> list[WaypointEvent]:
         """
-        reached and dropped way-points, in order
+        reached and dropped waypoints, in order
         """
     @property
     def events_count(self) -> int:
@@ -1371,24 +1371,24 @@ class LocalTrajectoryPlanner:
     def status(self) -> NavigationStatus:
         ...
     @property
-    def way_point_index(self) -> int:
+    def waypoint_index(self) -> int:
         """
-        the way-point flown to
+        the waypoint flown to
         """
     @property
-    def way_points(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
+    def waypoints(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         ...
 class Decision:
     """
     What the planning thread decided on one scan's map.
     """
-    __fields__: typing.ClassVar[tuple] = ('scan', 'status', 'path', 'path_id', 'way_point_index', 'events', 'plans', 'plans_made')
+    __fields__: typing.ClassVar[tuple] = ('scan', 'status', 'path', 'path_id', 'waypoint_index', 'events', 'plans', 'plans_made')
     def __repr__(self) -> str:
         ...
     @property
-    def events(self) -> list[WayPointEvent]:
+    def events(self) -> list[WaypointEvent]:
         """
-        reached and dropped way-points, in order
+        reached and dropped waypoints, in order
         """
     @property
     def path(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
@@ -1419,9 +1419,9 @@ class Decision:
     def status(self) -> NavigationStatus:
         ...
     @property
-    def way_point_index(self) -> int:
+    def waypoint_index(self) -> int:
         """
-        the way-point flown to
+        the waypoint flown to
         """
 class ConcurrentTrajectoryPlanner:
     """
@@ -1440,7 +1440,7 @@ class ConcurrentTrajectoryPlanner:
         """
         Adds a scan, as LocalTrajectoryPlanner does, and hands the map over to be planned on; the UAV is at its origin.
         """
-    def set_way_points(self, way_points: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> None:
+    def set_waypoints(self, waypoints: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> None:
         """
         Replaces what is left of the global path from the next scan on; (N, 3), world [m].
         """
@@ -1476,7 +1476,7 @@ class ConcurrentTrajectoryPlanner:
         sensed so far
         """
     @property
-    def way_points(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
+    def waypoints(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         ...
 def closest_point(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], from_arc_length: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], float, float]:
     """

@@ -112,18 +112,18 @@ def sensing(rows: int, azimuths: int, max_range: float) -> Row:
     }
 
 
-def way_points(count: int) -> Row:
-    """Taking a global path of so many way-points over, and one decision on it."""
+def waypoints(count: int) -> Row:
+    """Taking a global path of so many waypoints over, and one decision on it."""
     world = make_city(seed=1)
     start = _street(world)
     path = np.linspace(start, start + _PATH, count + 1)[1:]
     planner = LocalTrajectoryPlanner(Raster(np.zeros((1, 1))), start)
-    taken = _ms(lambda: planner.set_way_points(np.ascontiguousarray(path)), 9)
+    taken = _ms(lambda: planner.set_waypoints(np.ascontiguousarray(path)), 9)
     begin = time.process_time()
     planner.update(start)
     decided = (time.process_time() - begin) * 1e3
     again = _ms(lambda: planner.update(start), 9)
-    return {"way_points": count, "set_ms": taken, "first_update_ms": decided, "update_ms": again}
+    return {"waypoints": count, "set_ms": taken, "first_update_ms": decided, "update_ms": again}
 
 
 def memory() -> Row:
@@ -144,7 +144,7 @@ def memory() -> Row:
         map_options=config.mapping,
         options=config.navigation,
     )
-    planner.set_way_points(start + np.array([[100.0, 50.0, 0.0], [150.0, 75.0, 0.0]]))
+    planner.set_waypoints(start + np.array([[100.0, 50.0, 0.0], [150.0, 75.0, 0.0]]))
     for scan in scans:
         planner.sense(scan.origin, scan.hits)
         planner.update(scan.origin)

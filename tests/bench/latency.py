@@ -126,7 +126,7 @@ def beside(patience: float) -> Callable[[Mission], TwoThreads]:
             map_options=mission.config.mapping,
             options=mission.config.navigation,
         )
-        planner.set_way_points(mission.global_path[1:])
+        planner.set_waypoints(mission.global_path[1:])
         return TwoThreads(planner, patience)
 
     return make

@@ -20,7 +20,7 @@ void fly_a_street(benchmark::State& state) {
     LocalTrajectoryPlanner planner(make_planner("lp-a-star"), {}, {}, priority(), kMiddle);
     Path goal(1, 3);
     goal.row(0) = (kMiddle + Point(80, 60, 0)).transpose();
-    planner.set_way_points(goal);
+    planner.set_waypoints(goal);
     Point position = kMiddle;
     for (int step = 0; step < 100; ++step, ++steps) {
       lidar.scan(town, pose(position), step, scan);

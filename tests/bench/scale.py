@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How time and memory grow: with cells, range, rays, way-points. `python -m tests.bench.scale`.
+"""How time and memory grow: with cells, range, rays, waypoints. `python -m tests.bench.scale`.
 
 Everything is measured in the built-in city. Each point runs in a process of its own, so that its
 memory is its own; times are CPU times.
@@ -36,7 +36,7 @@ CELLS = (
 TEN_HERTZ = (400, 400, 80)  # 1 x 1 x 2 m
 RANGES = (25.0, 50.0, 100.0, 150.0, 200.0)  # [m]
 RAYS = ((16, 256), (32, 360), (64, 1024), (128, 2048), (256, 4096))  # rows, azimuths
-WAY_POINTS = (10, 100, 1000, 10000, 100000)
+WAYPOINTS = (10, 100, 1000, 10000, 100000)
 QUICK = 2  # points of each series, the smallest
 
 
@@ -60,7 +60,7 @@ def main() -> int:
         *(("cells", growth.cells, (dims, queries)) for dims in CELLS[:few]),
         *(("range", growth.sensing, (64, 1024, reach)) for reach in RANGES[:few]),
         *(("rays", growth.sensing, (rows, azimuths, 50.0)) for rows, azimuths in RAYS[:few]),
-        *(("way_points", growth.way_points, (count,)) for count in WAY_POINTS[:few]),
+        *(("waypoints", growth.waypoints, (count,)) for count in WAYPOINTS[:few]),
         ("memory", growth.memory, ()),
     ]
     series: dict[str, list[Row]] = {name: [] for name, _, _ in tasks}
@@ -98,7 +98,7 @@ def _tables(series: dict[str, list[Row]]) -> list[dict[str, Any]]:
         "cells": "Cells: the same city, finer and finer; plans by `auto` in the open band",
         "range": "Range of the LiDAR, 65,536 rays",
         "rays": "Rays of a scan, 50 m",
-        "way_points": "Way-points of a global path of 500 m",
+        "waypoints": "Waypoints of a global path of 500 m",
     }
     return [
         {

@@ -23,7 +23,7 @@ _COLOURS = 64  # of the picture
 
 
 def draw(series: dict[str, list[Row]]) -> "Figure":
-    """Six panels: time and memory against cells, single plans, range, rays, way-points."""
+    """Six panels: time and memory against cells, single plans, range, rays, waypoints."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(11.0, 6.4), facecolor="white", layout="constrained")
@@ -45,7 +45,7 @@ def draw(series: dict[str, list[Row]]) -> "Figure":
     axes[0, 2].set_title("Plans by auto, open band", **_TITLE)
     axes[1, 0].set_title("Range, 65,536 rays", **_TITLE)
     axes[1, 1].set_title("Rays, 50 m", **_TITLE)
-    axes[1, 2].set_title("Way-points", **_TITLE)
+    axes[1, 2].set_title("Waypoints", **_TITLE)
     axes[0, 0].axhline(_TEN_HERTZ, color=FAINT, lw=0.8, ls="--")
     axes[0, 0].set_ylim(top=1e6)  # room for the legend
     axes[0, 0].annotate("10 Hz", (cells[0]["cells"], _TEN_HERTZ), color=FAINT, va="bottom", size=8)
@@ -63,11 +63,11 @@ def draw(series: dict[str, list[Row]]) -> "Figure":
             [row[key] for row in rows],
             {"scan": [r["scan_ms"] for r in rows], "map update": [r["map_ms"] for r in rows]},
         )
-    rows = series["way_points"]
+    rows = series["waypoints"]
     _lines(
         axes[1, 2],
-        "way-points of the global path",
-        [row["way_points"] for row in rows],
+        "waypoints of the global path",
+        [row["waypoints"] for row in rows],
         {
             "take the path over": [row["set_ms"] for row in rows],
             "first decision, with a plan": [row["first_update_ms"] for row in rows],

@@ -21,7 +21,7 @@ namespace {
 constexpr double kStep = 0.3;       // 3 m/s at 10 Hz
 constexpr double kPatience = 60.0;  // [s]
 
-/// A street between blocks, and a tower in which a way-point lies.
+/// A street between blocks, and a tower in which a waypoint lies.
 HeightSurface town() {
   Raster::Values heights = Raster::Values::Zero(260, 160);
   heights.block(60, 30, 20, 60) = 60.0;
@@ -97,7 +97,7 @@ struct Flight {
   }
 };
 
-void expect_same_events(const std::vector<WayPointEvent>& a, const std::vector<WayPointEvent>& b) {
+void expect_same_events(const std::vector<WaypointEvent>& a, const std::vector<WaypointEvent>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].index, b[i].index);
@@ -113,8 +113,8 @@ template <typename Decide>
 void expect_the_same_flight(ConcurrentTrajectoryPlanner& concurrent, const Decide& decide) {
   Flight flight;
   LocalTrajectoryPlanner single(make_planner(), small_map(), {}, priority(), kStart);
-  single.set_way_points(route());
-  concurrent.set_way_points(route());
+  single.set_waypoints(route());
+  concurrent.set_waypoints(route());
   NavigationStatus status = NavigationStatus::Holding;
   for (int step = 0; step < 4000 && status != NavigationStatus::Finished; ++step) {
     const Scan& scan = flight.look();
@@ -128,7 +128,7 @@ void expect_the_same_flight(ConcurrentTrajectoryPlanner& concurrent, const Decid
     ASSERT_EQ(decision.path, single.path()) << "step " << step;
     ASSERT_EQ(decision.plans_made, single.plans_made());
     ASSERT_EQ(decision.plans.size(), single.plans().size());
-    ASSERT_EQ(decision.way_point_index, single.way_point_index());
+    ASSERT_EQ(decision.waypoint_index, single.waypoint_index());
     ASSERT_FALSE(concurrent.blocked_at().has_value());
     flight.move(single.path());
   }
@@ -155,7 +155,7 @@ TEST(ConcurrentTrajectoryPlanner, DecidesOnAnotherThreadAsTheSingleThreadedOneDo
 TEST(ConcurrentTrajectoryPlanner, FliesSafelyWithoutWaitingForItsPlans) {
   Flight flight;
   ConcurrentTrajectoryPlanner ltp = make_concurrent("lp-dijkstra");  // a slow one
-  ltp.set_way_points(route());
+  ltp.set_waypoints(route());
   ltp.start();
   std::int64_t stale = 0;
   bool finished = false;
@@ -171,11 +171,11 @@ TEST(ConcurrentTrajectoryPlanner, FliesSafelyWithoutWaitingForItsPlans) {
   EXPECT_TRUE(finished);
   EXPECT_FALSE(flight.collided);
   EXPECT_GT(stale, 0) << "else nothing ran side by side";
-  const std::vector<WayPointEvent>& events = ltp.decision().events;
+  const std::vector<WaypointEvent>& events = ltp.decision().events;
   ASSERT_EQ(events.size(), 4u);
-  for (const WayPointEvent& event : events) {
+  for (const WaypointEvent& event : events) {
     const bool inside = flight.surface.clearance(event.goal, 1.0) == 0.0;
-    EXPECT_EQ(event.reached, !inside) << "way-point " << event.index;
+    EXPECT_EQ(event.reached, !inside) << "waypoint " << event.index;
   }
 }
 
@@ -183,7 +183,7 @@ TEST(ConcurrentTrajectoryPlanner, FlagsAPathThatTheNewestScanBlocks) {
   ConcurrentTrajectoryPlanner ltp = make_concurrent("auto", no_priority());
   Path goal(1, 3);
   goal << 50, 60, 30;
-  ltp.set_way_points(goal);
+  ltp.set_waypoints(goal);
   ltp.sense(kStart, Path(0, 3), Path(0, 3));
   EXPECT_EQ(ltp.decision().path.rows(), 0) << "nothing is decided yet";
   EXPECT_TRUE(ltp.plan());
@@ -200,13 +200,13 @@ TEST(ConcurrentTrajectoryPlanner, FlagsAPathThatTheNewestScanBlocks) {
   EXPECT_FALSE(ltp.blocked_at().has_value());
 }
 
-TEST(ConcurrentTrajectoryPlanner, ForgetsThePathToOldWayPointsAtOnce) {
+TEST(ConcurrentTrajectoryPlanner, ForgetsThePathToOldWaypointsAtOnce) {
   ConcurrentTrajectoryPlanner ltp = make_concurrent();
-  ltp.set_way_points(route());
+  ltp.set_waypoints(route());
   ltp.sense(kStart, Path(0, 3), Path(0, 3));
   ltp.plan();
   const std::int64_t old = ltp.decision().path_id;
-  ltp.set_way_points(route().bottomRows(1));
+  ltp.set_waypoints(route().bottomRows(1));
   EXPECT_EQ(ltp.decision().status, NavigationStatus::Holding);
   EXPECT_EQ(ltp.decision().path.rows(), 0);
   EXPECT_NE(ltp.decision().path_id, old);
@@ -219,7 +219,7 @@ TEST(ConcurrentTrajectoryPlanner, AllocatesNothingWhileAPlanStands) {
   ConcurrentTrajectoryPlanner ltp = make_concurrent("auto", no_priority());
   Path goal(1, 3);
   goal << 70, 60, 30;
-  ltp.set_way_points(goal);
+  ltp.set_waypoints(goal);
   Point position = kStart;
   for (int step = 0; step < 100; ++step, position.x() += kStep) {
     const std::int64_t before = test::allocations();
@@ -246,7 +246,7 @@ class Broken final : public Planner {
 
 TEST(ConcurrentTrajectoryPlanner, PassesOnWhatThePlanningThreadThrows) {
   ConcurrentTrajectoryPlanner ltp(std::make_unique<Broken>(), small_map(), {}, priority(), kStart);
-  ltp.set_way_points(route());
+  ltp.set_waypoints(route());
   ltp.start();
   ltp.sense(kStart, Path(0, 3), Path(0, 3));
   EXPECT_THROW(ltp.wait(kPatience), std::logic_error);
@@ -255,7 +255,7 @@ TEST(ConcurrentTrajectoryPlanner, PassesOnWhatThePlanningThreadThrows) {
 
 TEST(ConcurrentTrajectoryPlanner, WaitsNoLongerThanItIsTold) {
   ConcurrentTrajectoryPlanner ltp = make_concurrent();
-  ltp.set_way_points(route());
+  ltp.set_waypoints(route());
   EXPECT_TRUE(ltp.wait(0.0)) << "there is nothing to wait for";
   ltp.sense(kStart, Path(0, 3), Path(0, 3));
   EXPECT_FALSE(ltp.wait(0.01)) << "nobody plans";

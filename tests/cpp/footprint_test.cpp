@@ -41,7 +41,7 @@ Raster priority() {
   return Raster(values, {0, 0}, 2.0);
 }
 
-/// 500 m straight across the town, way-points every 50 m, some of them inside of blocks.
+/// 500 m straight across the town, waypoints every 50 m, some of them inside of blocks.
 Path global_path() {
   Path path(10, 3);
   for (int i = 0; i < 10; ++i) {
@@ -71,14 +71,14 @@ struct Footprint {
 Footprint fly() {
   const HeightSurface world(town());
   const Lidar lidar;
-  const Path way_points = global_path();
+  const Path waypoints = global_path();
   Scan scan;
   Point position = kStart;
   lidar.scan(world, pose(position), 0, scan);
   Footprint footprint;
   const std::int64_t before = test::bytes();
   LocalTrajectoryPlanner ltp({}, {}, priority(), position);
-  ltp.set_way_points(way_points);
+  ltp.set_waypoints(waypoints);
   while (footprint.steps < 3000 && !footprint.finished) {
     lidar.scan(world, pose(position), ++footprint.steps, scan);
     const std::int64_t allocations = test::allocations();

@@ -75,10 +75,10 @@ int fly(LocalTrajectoryPlanner& ltp, Point& position, int most = 2000) {
   return most;
 }
 
-TEST(LocalTrajectoryPlanner, ReachesWayPointsInOrderAndPlansOncePerLeg) {
+TEST(LocalTrajectoryPlanner, ReachesWaypointsInOrderAndPlansOncePerLeg) {
   Point position = at(0, 0);
   LocalTrajectoryPlanner ltp = make(position);
-  ltp.set_way_points(points({at(20, 0), at(20, 20), at(-10, 20)}));
+  ltp.set_waypoints(points({at(20, 0), at(20, 20), at(-10, 20)}));
   EXPECT_LT(fly(ltp, position), 2000);
   ASSERT_EQ(ltp.events().size(), 3u);
   for (int i = 0; i < 3; ++i) {
@@ -89,17 +89,17 @@ TEST(LocalTrajectoryPlanner, ReachesWayPointsInOrderAndPlansOncePerLeg) {
   EXPECT_EQ(ltp.path().rows(), 0);
 }
 
-TEST(LocalTrajectoryPlanner, HasNothingToDoWithoutWayPoints) {
+TEST(LocalTrajectoryPlanner, HasNothingToDoWithoutWaypoints) {
   LocalTrajectoryPlanner ltp = make(at(0, 0));
   EXPECT_EQ(ltp.update(at(0, 0)), NavigationStatus::Finished);
-  ltp.set_way_points(kNothing);
+  ltp.set_waypoints(kNothing);
   EXPECT_EQ(ltp.update(at(1, 0)), NavigationStatus::Finished);
   EXPECT_TRUE(ltp.events().empty());
 }
 
 TEST(LocalTrajectoryPlanner, ReplansOnlyWhenTheWallThatAppearsIsInItsWay) {
   LocalTrajectoryPlanner ltp = make(at(0, 0));
-  ltp.set_way_points(points({at(40, 0)}));
+  ltp.set_waypoints(points({at(40, 0)}));
   ASSERT_EQ(ltp.update(at(0, 0)), NavigationStatus::Following);
   ltp.sense(at(0, 0), points(wall(at(10, 20), at(30, 20))), kNothing);
   ltp.update(at(0.3, 0));
@@ -113,7 +113,7 @@ TEST(LocalTrajectoryPlanner, ReplansOnlyWhenTheWallThatAppearsIsInItsWay) {
 
 TEST(LocalTrajectoryPlanner, ReplansWhenBlownOffItsPath) {
   LocalTrajectoryPlanner ltp = make(at(0, 0));
-  ltp.set_way_points(points({at(40, 0)}));
+  ltp.set_waypoints(points({at(40, 0)}));
   ltp.update(at(0, 0));
   ltp.update(at(5, 3.5));
   EXPECT_EQ(ltp.plans_made(), 1);
@@ -122,22 +122,22 @@ TEST(LocalTrajectoryPlanner, ReplansWhenBlownOffItsPath) {
   EXPECT_EQ(ltp.path().row(0), at(6, 4.5).transpose());
 }
 
-TEST(LocalTrajectoryPlanner, DropsAWayPointInAMappedWall) {
+TEST(LocalTrajectoryPlanner, DropsAWaypointInAMappedWall) {
   LocalTrajectoryPlanner ltp = make(at(0, 0));
-  ltp.set_way_points(points({at(20, 0), at(0, 20)}));
+  ltp.set_waypoints(points({at(20, 0), at(0, 20)}));
   ltp.sense(at(0, 0), points(wall(at(20, -4), at(20, 4))), kNothing);
   EXPECT_EQ(ltp.update(at(0, 0)), NavigationStatus::Following);
   ASSERT_EQ(ltp.events().size(), 1u);
   EXPECT_FALSE(ltp.events()[0].reached);
   EXPECT_EQ(ltp.events()[0].reason, PlanStatus::GoalBlocked);
-  EXPECT_EQ(ltp.way_point_index(), 1);
+  EXPECT_EQ(ltp.waypoint_index(), 1);
 }
 
 class CompletePlanners : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(CompletePlanners, DropTheHollowGoalOnceItsBoxIsClosed) {
   LocalTrajectoryPlanner ltp = make(at(0, 0), GetParam());
-  ltp.set_way_points(points({at(30, 0), at(0, 20)}));
+  ltp.set_waypoints(points({at(30, 0), at(0, 20)}));
   std::vector<Point> hits = box(at(30, 0), 9.0);
   const std::vector<Point> front(hits.begin(), hits.begin() + static_cast<int>(hits.size()) / 2);
   ltp.sense(at(0, 0), points(front), kNothing);
@@ -147,7 +147,7 @@ TEST_P(CompletePlanners, DropTheHollowGoalOnceItsBoxIsClosed) {
   EXPECT_EQ(ltp.update(at(0, 0)), NavigationStatus::Following);
   ASSERT_EQ(ltp.events().size(), 1u);
   EXPECT_EQ(ltp.events()[0].reason, PlanStatus::Unreachable);
-  ASSERT_EQ(ltp.plans().size(), 2u) << "the proof, and the plan to the next way-point";
+  ASSERT_EQ(ltp.plans().size(), 2u) << "the proof, and the plan to the next waypoint";
   EXPECT_EQ(ltp.plans()[0].plan.status, PlanStatus::Unreachable);
 }
 
@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(All, CompletePlanners,
 
 TEST(LocalTrajectoryPlanner, HoldsWithoutProofAndTriesAgainWhenTheMapChanges) {
   LocalTrajectoryPlanner ltp = make(at(0, 0), "bezier");
-  ltp.set_way_points(points({at(30, 0)}));
+  ltp.set_waypoints(points({at(30, 0)}));
   ltp.sense(at(0, 0), points(box(at(30, 0), 9.0)), kNothing);
   EXPECT_EQ(ltp.update(at(0, 0)), NavigationStatus::Holding);
   EXPECT_EQ(ltp.plans_made(), 1);
@@ -170,7 +170,7 @@ TEST(LocalTrajectoryPlanner, HoldsWithoutProofAndTriesAgainWhenTheMapChanges) {
 
 TEST(LocalTrajectoryPlanner, DropsNothingWhenItIsTheUavThatIsWalledIn) {
   LocalTrajectoryPlanner ltp = make(at(0, 0));
-  ltp.set_way_points(points({at(40, 0)}));
+  ltp.set_waypoints(points({at(40, 0)}));
   ltp.sense(at(0, 0), points(box(at(0, 0), 10.0)), kNothing);
   EXPECT_EQ(ltp.update(at(0, 0)), NavigationStatus::Holding);
   EXPECT_TRUE(ltp.events().empty());
@@ -178,7 +178,7 @@ TEST(LocalTrajectoryPlanner, DropsNothingWhenItIsTheUavThatIsWalledIn) {
 
 TEST(LocalTrajectoryPlanner, LeavesABlockedCellByTheNearestFreeOneAndDropsNothing) {
   LocalTrajectoryPlanner ltp = make(at(1, 1));
-  ltp.set_way_points(points({at(40, 1)}));
+  ltp.set_waypoints(points({at(40, 1)}));
   ltp.sense(at(1, 1), points(wall(at(-1.5, -10), at(-1.5, 10))), kNothing);
   ASSERT_TRUE(ltp.map().blocked().blocked_at(at(1, 1)));
   ASSERT_EQ(ltp.update(at(1, 1)), NavigationStatus::Escaping);
@@ -194,7 +194,7 @@ TEST(LocalTrajectoryPlanner, HoldsWhereNoFreeCellIsNear) {
   NavigationOptions options;
   options.escape_distance = 3.0;
   LocalTrajectoryPlanner ltp = make(at(1, 1), "lp-dijkstra", options);
-  ltp.set_way_points(points({at(40, 1)}));
+  ltp.set_waypoints(points({at(40, 1)}));
   std::vector<Point> hits;
   for (double x = -9; x <= 11; x += 2) {
     for (double y = -9; y <= 11; y += 2) hits.push_back(at(x, y));
@@ -207,7 +207,7 @@ TEST(LocalTrajectoryPlanner, HoldsWhereNoFreeCellIsNear) {
 TEST(LocalTrajectoryPlanner, FliesToAGoalBeyondTheWindow) {
   Point position = at(0, 0);
   LocalTrajectoryPlanner ltp = make(position);
-  ltp.set_way_points(points({at(300, 40)}));
+  ltp.set_waypoints(points({at(300, 40)}));
   ltp.update(position);
   const GridFrame& frame = ltp.map().blocked().frame();
   ASSERT_EQ(ltp.status(), NavigationStatus::Following);
@@ -220,11 +220,11 @@ TEST(LocalTrajectoryPlanner, FliesToAGoalBeyondTheWindow) {
   EXPECT_TRUE(ltp.events()[0].reached);
 }
 
-TEST(LocalTrajectoryPlanner, KeepsAWayPointWhoseStopoverIsWalledOff) {
+TEST(LocalTrajectoryPlanner, KeepsAWaypointWhoseStopoverIsWalledOff) {
   ObstacleMapOptions map = small_map();
   map.dims = {40, 40, 8};  // the window ends inside the box
   LocalTrajectoryPlanner ltp(make_planner("lp-dijkstra"), map, {}, no_priority(), at(0, 0));
-  ltp.set_way_points(points({at(300, 0)}));
+  ltp.set_waypoints(points({at(300, 0)}));
   ltp.sense(at(0, 0), points(box(at(36, 0), 12.0)), kNothing);
   ASSERT_EQ(ltp.update(at(0, 0)), NavigationStatus::Following);
   EXPECT_TRUE(ltp.events().empty());
@@ -240,7 +240,7 @@ TEST(LocalTrajectoryPlanner, ProvesABlockClosedThatIsLargerThanItsWindow) {
     NavigationOptions options;
     options.memory_widths = widths;
     LocalTrajectoryPlanner ltp(make_planner("ggwp"), map, options, no_priority(), at(0, 0));
-    ltp.set_way_points(points({at(90, 40)}));
+    ltp.set_waypoints(points({at(90, 40)}));
     std::vector<Point> hits = box(at(70, 0), 50.0);
     for (double x = 0; x <= 140;
          x += 10) {  // along the south wall, then the north wall: never all in view
@@ -270,7 +270,7 @@ TEST(LocalTrajectoryPlanner, StaysInItsBand) {
   LocalTrajectoryPlanner open = make(at(0, 0), "lp-dijkstra", options);
   // A long wall that ends below the upper level of the open band.
   for (LocalTrajectoryPlanner* ltp : {&planar, &open}) {
-    ltp->set_way_points(points({at(40, 0)}));
+    ltp->set_waypoints(points({at(40, 0)}));
     ltp->sense(at(0, 0), points(wall(at(20, -40), at(20, 40), 2.0)), kNothing);
     ASSERT_EQ(ltp->update(at(0, 0)), NavigationStatus::Following);
   }
@@ -281,7 +281,7 @@ TEST(LocalTrajectoryPlanner, StaysInItsBand) {
 TEST(LocalTrajectoryPlanner, AllocatesNothingWhileAPlanStands) {
   Point position = at(0, 0);
   LocalTrajectoryPlanner ltp = make(position);
-  ltp.set_way_points(points({at(200, 0)}));
+  ltp.set_waypoints(points({at(200, 0)}));
   ltp.update(position);
   const std::int64_t plans = ltp.plans_made();
   for (int step = 1; step <= 100; ++step) {  // rolls the window as it goes
@@ -298,7 +298,7 @@ TEST(LocalTrajectoryPlanner, AllocatesNothingWhileAPlanStands) {
 TEST(LocalTrajectoryPlanner, RefusesWhatIsNotANumber) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   LocalTrajectoryPlanner ltp = make(at(0, 0));
-  EXPECT_THROW(ltp.set_way_points(points({at(nan, 0)})), std::invalid_argument);
+  EXPECT_THROW(ltp.set_waypoints(points({at(nan, 0)})), std::invalid_argument);
   EXPECT_THROW(ltp.update(at(0, nan)), std::invalid_argument);
   NavigationOptions options;
   options.band.below = nan;

@@ -11,7 +11,7 @@ from ltp.config import MissionConfig
 from ltp.evaluation.queries import QuerySet, RecordedQuery
 from ltp.evaluation.rows import FlightRow
 from ltp.evaluation.sensed import CellMap
-from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WayPointEvent
+from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WaypointEvent
 from ltp.world import LandClass, World
 
 ATTRIBUTION = "Made-up boxes, for tests only"
@@ -59,7 +59,7 @@ def patchwork(seed, count=6, size=(30, 30, 6), density=0.2):
 
 
 def event(index, outcome="reached", reason="", goal=(0, 0, 0), position=(0, 0, 0)):
-    return WayPointEvent(
+    return WaypointEvent(
         index=index,
         outcome=outcome,
         reason=reason,
@@ -70,10 +70,10 @@ def event(index, outcome="reached", reason="", goal=(0, 0, 0), position=(0, 0, 0
     )
 
 
-def plan(seconds, status="found", way_point=0):
+def plan(seconds, status="found", waypoint=0):
     return PlanEntry(
         time=0.0,
-        way_point=way_point,
+        waypoint=waypoint,
         status=status,
         path=np.array([[0.0, 0.0, 30.0], [10.0, 0.0, 30.0]][: 2 * (status == "found")]),
         penalty=-0.1,
@@ -98,8 +98,8 @@ def record(events=(), seconds=(0.001, 0.003), length=60.0, world="boxes", **conf
         positions=positions,
         velocities=np.zeros((6, 3)),
         plan_index=np.zeros(6, dtype=np.int64),
-        way_point_index=np.zeros(6, dtype=np.int64),
-        way_points=list(events),
+        waypoint_index=np.zeros(6, dtype=np.int64),
+        waypoints=list(events),
         plans=[plan(s) for s in seconds],
         outcome=Outcome.REACHED,
         collision=None,
@@ -122,7 +122,7 @@ def row(**changes):
         "seed": 1,
         "crosses_building": True,
         "outcome": "reached",
-        "way_points": 10,
+        "waypoints": 10,
         "reached": 9,
         "dropped": 1,
         "dropped_goal_blocked": 1,

@@ -58,7 +58,7 @@ def test_fly_writes_record_figure_and_recording(world: str, tmp_path: Path) -> N
         assert str(out / name) in said
 
 
-def test_fly_takes_settings_from_a_file_and_way_points_from_a_table(
+def test_fly_takes_settings_from_a_file_and_waypoints_from_a_table(
     world: str, tmp_path: Path
 ) -> None:
     config, points = tmp_path / "config.toml", tmp_path / "points.csv"
@@ -68,7 +68,7 @@ def test_fly_takes_settings_from_a_file_and_way_points_from_a_table(
     options = [
         "--config",
         config,
-        "--way-points",
+        "--waypoints",
         points,
         "--no-recording",
         "--out",
@@ -247,7 +247,7 @@ def test_help_comes_without_the_heavy_libraries() -> None:
         (["fly", "WORLD", "--scenario", "-1"], "--scenario"),
         (["fly", "WORLD", "--config", "missing.toml"], "missing.toml: No such file"),
         (["fly", "WORLD", "--config", "BAD"], "unknown key 'speed'"),
-        (["fly", "WORLD", "--way-points", "BAD"], "not a list of numbers x,y,z"),
+        (["fly", "WORLD", "--waypoints", "BAD"], "not a list of numbers x,y,z"),
         (["fly", "BAD"], "not a sound world file"),
         (["fly", "WORLD"], "does not fit into town"),
         (["evaluate", "WORLD", *SHORT, "--rows", "3"], "--rows"),

@@ -20,7 +20,7 @@ def priority() -> ltp.Raster:
 
 def make(kind: type = ltp.ConcurrentTrajectoryPlanner, **values):
     planner = kind(priority(), START, map_options=options(), **values)
-    planner.set_way_points(np.array([[110.0, 60.0, 30.0], [150.0, 90.0, 30.0]]))
+    planner.set_waypoints(np.array([[110.0, 60.0, 30.0], [150.0, 90.0, 30.0]]))
     return planner
 
 
@@ -46,7 +46,7 @@ def test_each_scan_waited_for_gives_the_flight_of_one_thread() -> None:
         assert decision.status == status
         assert np.array_equal(decision.path, one.path)
         assert decision.plans_made == one.plans_made
-        assert decision.way_point_index == one.way_point_index
+        assert decision.waypoint_index == one.waypoint_index
         assert two.blocked_at is None
         if status == ltp.NavigationStatus.FINISHED:
             break
@@ -77,7 +77,7 @@ def test_a_decision_is_a_copy_that_stays() -> None:
     planner.sense(START, np.empty((0, 3)))
     planner.plan()
     decision = planner.decision
-    planner.set_way_points(np.empty((0, 3)))
+    planner.set_waypoints(np.empty((0, 3)))
     planner.sense(START, np.empty((0, 3)))
     planner.plan()
     assert planner.decision.status == ltp.NavigationStatus.FINISHED
@@ -85,6 +85,6 @@ def test_a_decision_is_a_copy_that_stays() -> None:
     assert len(decision.path) >= 2
 
 
-def test_strange_way_points_are_refused() -> None:
-    with pytest.raises(ValueError, match="way_points"):
-        make().set_way_points(np.array([[np.nan, 0.0, 0.0]]))
+def test_strange_waypoints_are_refused() -> None:
+    with pytest.raises(ValueError, match="waypoints"):
+        make().set_waypoints(np.array([[np.nan, 0.0, 0.0]]))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Metrics of a flight, and the judge of dropped way-points against an obvious reference."""
+"""Metrics of a flight, and the judge of dropped waypoints against an obvious reference."""
 
 import math
 
@@ -148,7 +148,7 @@ def test_a_row_holds_what_the_record_says() -> None:
     scenario = Scenario(4, 9, flight.global_path, crosses_building=True)
     row = flight_row(flight, scenario, "abc", 1.5, courtyard())
     assert (row.key, row.scenario, row.seed, row.crosses_building) == ("abc", 4, 9, True)
-    assert (row.way_points, row.reached, row.dropped) == (2, 1, 1)
+    assert (row.waypoints, row.reached, row.dropped) == (2, 1, 1)
     assert (row.dropped_unreachable, row.dropped_goal_blocked, row.wrongly_dropped) == (1, 0, 1)
     assert (row.outcome, row.collided, row.plans, row.expanded) == ("reached", False, 2, 14)
     assert row.length_ratio == pytest.approx(60.0 / 50.0)

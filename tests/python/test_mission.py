@@ -60,7 +60,7 @@ def test_a_tower_in_the_way_is_flown_round(planner: str) -> None:
 
 
 @pytest.mark.parametrize("planner", COMPLETE)
-def test_a_way_point_inside_a_tower_is_dropped_with_proof_and_the_next_one_reached(
+def test_a_waypoint_inside_a_tower_is_dropped_with_proof_and_the_next_one_reached(
     planner: str,
 ) -> None:
     surface = flat_world()
@@ -70,7 +70,7 @@ def test_a_way_point_inside_a_tower_is_dropped_with_proof_and_the_next_one_reach
     assert record.outcome is Outcome.REACHED
     assert [event.index for event in record.dropped] == [0]
     assert record.dropped[0].reason in ("unreachable", "goal_blocked")
-    assert record.way_points[-1].outcome == "reached"
+    assert record.waypoints[-1].outcome == "reached"
 
 
 def test_a_flight_repeats_to_the_byte() -> None:

@@ -61,10 +61,10 @@ def test_a_set_comes_back_from_its_file(recorded: QuerySet, tmp_path: Path) -> N
     assert len(loaded.queries) == len(recorded.queries)
     for a, b in zip(recorded.queries, loaded.queries, strict=True):
         assert a.digest() == b.digest() and a.grid == b.grid
-        assert (a.scenario, a.time, a.way_point, a.band, a.flown) == (
+        assert (a.scenario, a.time, a.waypoint, a.band, a.flown) == (
             b.scenario,
             b.time,
-            b.way_point,
+            b.waypoint,
             b.band,
             b.flown,
         )

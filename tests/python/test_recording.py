@@ -61,7 +61,7 @@ def test_a_recording_holds_the_whole_flight(tmp_path: Path) -> None:
         "/world/surface",
         "/world/priority",
         "/mission/global_path",
-        "/mission/way_points",
+        "/mission/waypoints",
         "/map/window",
         "/map/occupied",
         "/lidar",

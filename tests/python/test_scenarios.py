@@ -73,7 +73,7 @@ def test_the_same_seed_gives_the_same_paths_whatever_their_number() -> None:
     np.testing.assert_array_equal(alone.global_path, many[7].global_path)
 
 
-def test_altitude_counts_from_the_ground_beneath_each_way_point_or_from_the_datum() -> None:
+def test_altitude_counts_from_the_ground_beneath_each_waypoint_or_from_the_datum() -> None:
     flat = town()
     slope = np.linspace(5.0, 25.0, flat.shape[0])[:, None] * np.ones(flat.shape)
     world = World("slope", slope, slope + flat.surface, flat.classes, 1.0)
@@ -103,7 +103,7 @@ def test_the_share_is_kept_for_every_count(share: float, count: int) -> None:
 
 @settings(max_examples=30)
 @given(st.floats(30.0, 190.0), st.floats(5.0, 100.0))
-def test_way_points_part_any_length(length: float, spacing: float) -> None:
+def test_waypoints_part_any_length(length: float, spacing: float) -> None:
     options = ScenarioOptions(count=1, length=length, spacing=spacing, through_buildings=0.0)
     path = make_scenario(box_world([], size=(320, 320)), options, 0).global_path
     steps = np.linalg.norm(np.diff(path, axis=0), axis=1)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from ltp.config import MissionConfig, VehicleOptions
 from ltp.sim.guidance import PathFollower
-from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WayPointEvent
+from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WaypointEvent
 from ltp.sim.vehicle import PointMass
 
 number = st.floats(-20, 20)
@@ -90,9 +90,9 @@ def make_record(plans: int = 2) -> FlightRecord:
         positions=np.stack([times, times, 0 * times + 50], axis=1),
         velocities=np.ones((4, 3)),
         plan_index=np.array([-1, 0, 0, 1]),
-        way_point_index=np.zeros(4, dtype=np.int64),
-        way_points=[
-            WayPointEvent(0, "dropped", "unreachable", 0.2, (0, 0, 50), (3, 4, 50), (-1, -1, 0))
+        waypoint_index=np.zeros(4, dtype=np.int64),
+        waypoints=[
+            WaypointEvent(0, "dropped", "unreachable", 0.2, (0, 0, 50), (3, 4, 50), (-1, -1, 0))
         ],
         plans=[
             PlanEntry(0.1 * i, 0, "found", np.full((i + 2, 3), i), 0.5, 3.0, 1.0, 2.5, 7, 1e-3)
@@ -113,10 +113,10 @@ def test_record_round_trip(tmp_path, plans: int) -> None:
     record.save(tmp_path / "flight.npz")
     again = FlightRecord.load(tmp_path / "flight.npz")
     assert again.config.to_dict() == record.config.to_dict()
-    assert again.way_points == record.way_points
+    assert again.waypoints == record.waypoints
     assert again.metadata == {"scenario": 3}
     assert [len(plan.path) for plan in again.plans] == [i + 2 for i in range(plans)]
-    for name in ("times", "positions", "velocities", "plan_index", "way_point_index"):
+    for name in ("times", "positions", "velocities", "plan_index", "waypoint_index"):
         np.testing.assert_array_equal(getattr(again, name), getattr(record, name))
     assert again.outcome is Outcome.REACHED
     assert again.length_ratio == pytest.approx(6.0 / 5.0)

@@ -61,11 +61,11 @@ void bind_concurrent(py::module_& m) {
       .def_property_readonly(
           "path", [](const ltp::Decision& d) { return d.path; }, "(N, 3), the path to follow [m]")
       .def_readonly("path_id", &ltp::Decision::path_id, "as long as it stands, so does `path`")
-      .def_readonly("way_point_index", &ltp::Decision::way_point_index, "the way-point flown to")
-      .def_readonly("events", &ltp::Decision::events, "reached and dropped way-points, in order")
+      .def_readonly("waypoint_index", &ltp::Decision::waypoint_index, "the waypoint flown to")
+      .def_readonly("events", &ltp::Decision::events, "reached and dropped waypoints, in order")
       .def_readonly("plans", &ltp::Decision::plans, "the planner's answers when it was last asked")
       .def_readonly("plans_made", &ltp::Decision::plans_made, "since the beginning");
-  list_fields(decision, {"scan", "status", "path", "path_id", "way_point_index", "events", "plans",
+  list_fields(decision, {"scan", "status", "path", "path_id", "waypoint_index", "events", "plans",
                          "plans_made"});
 
   py::class_<Concurrent>(m, "ConcurrentTrajectoryPlanner",
@@ -77,7 +77,7 @@ void bind_concurrent(py::module_& m) {
            "planner"_a = "auto", "planner_options"_a = ltp::PlannerOptions{},
            "map_options"_a = ltp::ObstacleMapOptions{}, "options"_a = ltp::NavigationOptions{},
            "As a LocalTrajectoryPlanner's.")
-      .def("set_way_points", &Concurrent::set_way_points, "way_points"_a,
+      .def("set_waypoints", &Concurrent::set_waypoints, "waypoints"_a,
            "Replaces what is left of the global path from the next scan on; (N, 3), world [m].")
       .def("sense", &Concurrent::sense, "origin"_a, "hits"_a, "misses"_a = ltp::Path(0, 3),
            released,
@@ -100,7 +100,7 @@ void bind_concurrent(py::module_& m) {
                              "arc length of the last decision's path at which the newest map "
                              "blocks it [m]; None if it is free")
       .def_property_readonly("scans", &Concurrent::scans, "sensed so far")
-      .def_property_readonly("way_points", &Concurrent::way_points, py::return_value_policy::copy)
+      .def_property_readonly("waypoints", &Concurrent::waypoints, py::return_value_policy::copy)
       .def_property_readonly("map", &Concurrent::map, py::return_value_policy::reference_internal);
 }
 
@@ -108,7 +108,7 @@ void bind_concurrent(py::module_& m) {
 
 void bind_navigation(py::module_& m) {
   auto options = py::class_<ltp::NavigationOptions>(
-      m, "NavigationOptions", "When a way-point is reached, a path left, a height allowed.");
+      m, "NavigationOptions", "When a waypoint is reached, a path left, a height allowed.");
   options.def(py::init(&from_keywords<ltp::NavigationOptions>))
       .def("check", &ltp::NavigationOptions::check, "Raises `ValueError` that names the field.")
       .def_property(
@@ -116,11 +116,11 @@ void bind_navigation(py::module_& m) {
           [](ltp::NavigationOptions& o, const Band& band) {
             o.band = {band.first, band.second};
           },
-          "(below, above): how far to leave the altitudes of UAV and way-point [m]; (0, 0) is "
+          "(below, above): how far to leave the altitudes of UAV and waypoint [m]; (0, 0) is "
           "planar flight")
       .def_readwrite(
           "reach_distance", &ltp::NavigationOptions::reach_distance,
-          "a way-point is reached within it, horizontally [m]; 0: one horizontal cell diagonal")
+          "a waypoint is reached within it, horizontally [m]; 0: one horizontal cell diagonal")
       .def_readwrite(
           "leave_distance", &ltp::NavigationOptions::leave_distance,
           "farther from its path the UAV has left it [m]; 0: one horizontal cell diagonal")
@@ -134,7 +134,7 @@ void bind_navigation(py::module_& m) {
 
   py::enum_<ltp::NavigationStatus>(m, "NavigationStatus",
                                    "What the local trajectory planner is doing.")
-      .value("FINISHED", ltp::NavigationStatus::Finished, "no way-point is left")
+      .value("FINISHED", ltp::NavigationStatus::Finished, "no waypoint is left")
       .value("FOLLOWING", ltp::NavigationStatus::Following, "there is a path to follow")
       .value("ESCAPING", ltp::NavigationStatus::Escaping,
              "leaving a blocked cell by the nearest free one")
@@ -143,32 +143,32 @@ void bind_navigation(py::module_& m) {
       .def_property_readonly("label",
                              [](ltp::NavigationStatus status) { return ltp::to_string(status); });
 
-  auto event = py::class_<ltp::WayPointEvent>(m, "WayPointEvent", "What became of a way-point.");
-  event.def_readonly("index", &ltp::WayPointEvent::index)
-      .def_readonly("reached", &ltp::WayPointEvent::reached, "True: reached; False: dropped")
-      .def_readonly("reason", &ltp::WayPointEvent::reason,
+  auto event = py::class_<ltp::WaypointEvent>(m, "WaypointEvent", "What became of a waypoint.");
+  event.def_readonly("index", &ltp::WaypointEvent::index)
+      .def_readonly("reached", &ltp::WaypointEvent::reached, "True: reached; False: dropped")
+      .def_readonly("reason", &ltp::WaypointEvent::reason,
                     "why it was dropped: GOAL_BLOCKED or UNREACHABLE")
-      .def_readonly("position", &ltp::WayPointEvent::position, "(3,), of the UAV [m]")
-      .def_readonly("goal", &ltp::WayPointEvent::goal, "(3,), the way-point [m]")
-      .def_readonly("window_origin", &ltp::WayPointEvent::window_origin,
+      .def_readonly("position", &ltp::WaypointEvent::position, "(3,), of the UAV [m]")
+      .def_readonly("goal", &ltp::WaypointEvent::goal, "(3,), the waypoint [m]")
+      .def_readonly("window_origin", &ltp::WaypointEvent::window_origin,
                     "(3,), of the map's window [m]");
   list_fields(event, {"index", "reached", "reason", "position", "goal", "window_origin"});
 
   auto answer = py::class_<ltp::PlanRecord>(m, "PlanRecord", "One answer of the planner.");
-  answer.def_readonly("way_point", &ltp::PlanRecord::way_point, "for which it was asked")
+  answer.def_readonly("waypoint", &ltp::PlanRecord::waypoint, "for which it was asked")
       .def_readonly("direct_length", &ltp::PlanRecord::direct_length, "L_direct of the query [m]")
       .def_readonly("plan", &ltp::PlanRecord::plan);
-  list_fields(answer, {"way_point", "direct_length", "plan"});
+  list_fields(answer, {"waypoint", "direct_length", "plan"});
 
   py::class_<Ltp>(m, "LocalTrajectoryPlanner",
-                  "The loop that flies: way-points, scans and poses in; plan and status out. "
+                  "The loop that flies: waypoints, scans and poses in; plan and status out. "
                   "Replans when the path is\n"
-                  "blocked, left, or its way-point retired; drops a way-point only on proof.")
+                  "blocked, left, or its waypoint retired; drops a waypoint only on proof.")
       .def(py::init(&make<Ltp>), "priority"_a, "position"_a, py::kw_only(), "planner"_a = "auto",
            "planner_options"_a = ltp::PlannerOptions{}, "map_options"_a = ltp::ObstacleMapOptions{},
            "options"_a = ltp::NavigationOptions{},
            "priority: Raster in [0, 1]. position: (3,) [m]. planner: a name of `planner_names()`.")
-      .def("set_way_points", &Ltp::set_way_points, "way_points"_a,
+      .def("set_waypoints", &Ltp::set_waypoints, "waypoints"_a,
            "Replaces what is left of the global path; (N, 3), world [m].")
       .def("set_priority", &Ltp::set_priority, "priority"_a)
       .def("sense", &Ltp::sense, "origin"_a, "hits"_a, "misses"_a = ltp::Path(0, 3),
@@ -185,10 +185,10 @@ void bind_navigation(py::module_& m) {
                              "the planner's answers when it was last asked")
       .def_property_readonly("plans_made", &Ltp::plans_made, "since the beginning")
       .def_property_readonly("events", &Ltp::events, py::return_value_policy::copy,
-                             "reached and dropped way-points, in order")
+                             "reached and dropped waypoints, in order")
       .def_property_readonly("events_count", [](const Ltp& self) { return self.events().size(); })
-      .def_property_readonly("way_point_index", &Ltp::way_point_index, "the way-point flown to")
-      .def_property_readonly("way_points", &Ltp::way_points, py::return_value_policy::copy)
+      .def_property_readonly("waypoint_index", &Ltp::waypoint_index, "the waypoint flown to")
+      .def_property_readonly("waypoints", &Ltp::waypoints, py::return_value_policy::copy)
       .def_property_readonly("map", py::overload_cast<>(&Ltp::map),
                              py::return_value_policy::reference_internal);
 

@@ -26,11 +26,11 @@ ConcurrentTrajectoryPlanner::ConcurrentTrajectoryPlanner(std::unique_ptr<Planner
 
 ConcurrentTrajectoryPlanner::~ConcurrentTrajectoryPlanner() { stop(); }
 
-void ConcurrentTrajectoryPlanner::set_way_points(const PathRef& way_points) {
-  for (Eigen::Index i = 0; i < way_points.rows(); ++i) {
-    check::finite("way_points[" + std::to_string(i) + "]", Point(way_points.row(i).transpose()));
+void ConcurrentTrajectoryPlanner::set_waypoints(const PathRef& waypoints) {
+  for (Eigen::Index i = 0; i < waypoints.rows(); ++i) {
+    check::finite("waypoints[" + std::to_string(i) + "]", Point(waypoints.row(i).transpose()));
   }
-  way_points_ = way_points;
+  waypoints_ = waypoints;
   none_.route = ++route_;
   none_.path_id = -route_;  // unlike any other
   none_.plans_made = given_->plans_made;
@@ -55,7 +55,7 @@ InsertStatistics ConcurrentTrajectoryPlanner::sense(const Point& origin, const P
   snapshot.blocked = map_.blocked();
   if (snapshot.route != route_) {
     snapshot.route = route_;
-    snapshot.way_points = way_points_;
+    snapshot.waypoints = waypoints_;
   }
   snapshots_.publish();
   {
@@ -87,7 +87,7 @@ bool ConcurrentTrajectoryPlanner::plan() {
   if (seen.occupied.frame() != known_.frame()) navigator_.remember(known_);
   std::swap(known_, seen.occupied);  // the slot's next value overwrites all of it
   if (std::exchange(known_route_, seen.route) != seen.route) {
-    navigator_.set_way_points(seen.way_points);
+    navigator_.set_waypoints(seen.waypoints);
   }
   navigator_.update({known_, seen.blocked, seen.version}, seen.position,
                     [this] { return stopping_.load(std::memory_order_relaxed); });
@@ -102,7 +102,7 @@ void ConcurrentTrajectoryPlanner::publish(std::int64_t scan) {
   if (std::exchange(out.path_id, navigator_.path_id()) != navigator_.path_id()) {
     out.path = navigator_.path();
   }
-  out.way_point_index = navigator_.way_point_index();
+  out.waypoint_index = navigator_.waypoint_index();
   out.events = navigator_.events();
   if (std::exchange(out.plans_made, navigator_.plans_made()) != navigator_.plans_made()) {
     out.plans = navigator_.plans();

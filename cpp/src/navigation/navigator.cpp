@@ -13,7 +13,7 @@
 namespace ltp {
 namespace {
 
-/// A way-point that takes so many plans may lie in a block larger than the window; then it is time
+/// A waypoint that takes so many plans may lie in a block larger than the window; then it is time
 /// for a proof.
 constexpr int kPlansBeforeProof = 5;
 
@@ -63,14 +63,14 @@ Navigator::Navigator(std::unique_ptr<Planner> planner, const NavigationOptions& 
   if (options_.leave_distance == 0.0) options_.leave_distance = diagonal;
 }
 
-void Navigator::set_way_points(const PathRef& way_points) {
-  for (Eigen::Index i = 0; i < way_points.rows(); ++i) {
-    check::finite("way_points[" + std::to_string(i) + "]", Point(way_points.row(i).transpose()));
+void Navigator::set_waypoints(const PathRef& waypoints) {
+  for (Eigen::Index i = 0; i < waypoints.rows(); ++i) {
+    check::finite("waypoints[" + std::to_string(i) + "]", Point(waypoints.row(i).transpose()));
   }
-  way_points_ = way_points;
+  waypoints_ = waypoints;
   next_ = 0;
   events_.clear();
-  events_.reserve(way_points.rows());
+  events_.reserve(waypoints.rows());
   give_up_path();
   status_ = finished() ? NavigationStatus::Finished : NavigationStatus::Holding;
   planned_on_ = kNoVersion;
@@ -91,20 +91,20 @@ NavigationStatus Navigator::update(const MapView& map, const Point& position,
   return status_;
 }
 
-/// Notes the end of a way-point and turns to the next one.
+/// Notes the end of a waypoint and turns to the next one.
 void Navigator::retire(const MapView& map, bool reached, PlanStatus reason, const Point& position) {
   events_.push_back(
-      {next_, reached, reason, position, way_point(next_), map.blocked.frame().origin()});
-  leg_begin_ = way_point(next_);
+      {next_, reached, reason, position, waypoint(next_), map.blocked.frame().origin()});
+  leg_begin_ = waypoint(next_);
   ++next_;
-  plans_for_way_point_ = 0;
+  plans_for_waypoint_ = 0;
   give_up_path();
 }
 
 void Navigator::take_reached(const MapView& map, const Point& position) {
   const double height = map.blocked.frame().cell().z();
   while (!finished()) {
-    const Point offset = way_point(next_) - position;
+    const Point offset = waypoint(next_) - position;
     const bool reached =
         offset.head<2>().norm() <= options_.reach_distance && std::abs(offset.z()) <= height;
     if (!reached) return;
@@ -148,7 +148,7 @@ void Navigator::replan(const MapView& map, const Point& position,
   plans_.clear();
   planned_on_ = map.version;
   while (!finished()) {
-    const Point goal = way_point(next_);
+    const Point goal = waypoint(next_);
     if (map.blocked.blocked_at(goal) && !same_cell(frame, goal, position)) {
       retire(map, false, PlanStatus::GoalBlocked, position);  // proof: the map itself
       continue;
@@ -168,8 +168,8 @@ void Navigator::replan(const MapView& map, const Point& position,
       if (!target) break;
       query.goal = *target;
     }
-    const bool overdue = plans_for_way_point_ > 0 && plans_for_way_point_ % kPlansBeforeProof == 0;
-    ++plans_for_way_point_;
+    const bool overdue = plans_for_waypoint_ > 0 && plans_for_waypoint_ % kPlansBeforeProof == 0;
+    ++plans_for_waypoint_;
     if (overdue && !stopover_ && proved_unreachable(map, position, goal)) {
       retire(map, false, PlanStatus::Unreachable, position);
       continue;
@@ -193,12 +193,12 @@ bool Navigator::proved_unreachable(const MapView& map, const Point& position, co
   return memory_.seals({position, goal, options_.band, nullptr});
 }
 
-/// The last point of the leg to the way-point that lies inside the window and can be reached.
+/// The last point of the leg to the waypoint that lies inside the window and can be reached.
 std::optional<Point> Navigator::target_inside(const MapView& map, const Point& position,
                                               const LevelRange& levels) {
   const GridFrame& frame = map.blocked.frame();
   flood_.fill(map.blocked, frame.cell_of(position), levels);
-  const Point goal = way_point(next_);
+  const Point goal = waypoint(next_);
   for (const Point& begin : {leg_begin_, position}) {
     const Point leg = goal - begin;
     const int count = static_cast<int>(std::ceil(leg.norm() / frame.cell().minCoeff()));
@@ -216,7 +216,7 @@ std::optional<Point> Navigator::escape_point(const MapView& map, const Point& po
   const OccupancyGrid& blocked = map.blocked;
   const GridFrame& frame = blocked.frame();
   const Cell own = frame.cell_of(position);
-  const LevelRange levels = levels_of(frame, {position, way_point(next_), options_.band});
+  const LevelRange levels = levels_of(frame, {position, waypoint(next_), options_.band});
   OccupancyGrid occupied = map.occupied;
   if (frame.contains(own)) occupied.set(own, false);  // its own cell counts as free
   const Cell reach = (Point::Constant(options_.escape_distance).cwiseQuotient(frame.cell()))

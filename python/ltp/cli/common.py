@@ -31,11 +31,11 @@ Config = Annotated[
 Altitude = Annotated[float, typer.Option(help="Of the global paths [m].")]
 Reference = Annotated[
     str,
-    typer.Option(help="What altitude counts from: `ground` beneath each way-point, or `datum`."),
+    typer.Option(help="What altitude counts from: `ground` beneath each waypoint, or `datum`."),
 ]
 Seed = Annotated[int, typer.Option(help="Of the set of global paths.")]
 Length = Annotated[float, typer.Option(help="Of a global path, over the ground [m].")]
-Spacing = Annotated[float, typer.Option(help="Between its way-points [m].")]
+Spacing = Annotated[float, typer.Option(help="Between its waypoints [m].")]
 Margin = Annotated[float, typer.Option(help="Between a path and the world's edge [m].")]
 ThroughBuildings = Annotated[
     float, typer.Option(help="Share of the global paths that must cross a building, 0...1.")

@@ -186,7 +186,7 @@ def _print_tables(rows: Sequence["FlightRow"]) -> None:
         console.print(grid)
     console.print(
         "P mean priority, L length flown over global path's (SD); time per plan; dropped "
-        "way-points (wrongly);\nclear: smallest clearance [m]; grey: the paper",
+        "waypoints (wrongly);\nclear: smallest clearance [m]; grey: the paper",
         style="bright_black",
         markup=False,
     )

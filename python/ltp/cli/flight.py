@@ -53,12 +53,12 @@ def fly(
         typer.Option(help="Free the paths from the grid's directions."),
     ] = None,
     config: Config = None,
-    way_points: Annotated[
+    waypoints: Annotated[
         Path | None,
-        typer.Option(help="CSV with a way-point x,y,z a line, the start first, world frame [m]."),
+        typer.Option(help="CSV with a waypoint x,y,z a line, the start first, world frame [m]."),
     ] = None,
     scenario: Annotated[
-        int, typer.Option(help="Without --way-points: which of the seeded global paths, from 0.")
+        int, typer.Option(help="Without --waypoints: which of the seeded global paths, from 0.")
     ] = 0,
     altitude: Altitude = 50.0,
     reference: Reference = "ground",
@@ -92,8 +92,8 @@ def fly(
     settings = dataclasses.replace(
         open_config(config), **{name: value for name, value in given.items() if value is not None}
     )
-    if way_points is not None:
-        path = _read_way_points(way_points)
+    if waypoints is not None:
+        path = _read_waypoints(waypoints)
     else:
         if scenario < 0:
             raise ValueError(f"--scenario must be >= 0, not {scenario}")
@@ -168,12 +168,12 @@ def _report(record: "FlightRecord") -> None:
     )
     for event in record.dropped:
         console.print(
-            f"way-point {event.index + 1} dropped at {event.time:.0f} s: "
+            f"waypoint {event.index + 1} dropped at {event.time:.0f} s: "
             f"{event.reason.replace('_', ' ')}"
         )
 
 
-def _read_way_points(path: Path) -> "NDArray[np.float64]":
+def _read_waypoints(path: Path) -> "NDArray[np.float64]":
     with path.open(newline="", encoding="utf-8") as file:
         lines = [line for line in csv.reader(file) if line and not line[0].startswith("#")]
     try:

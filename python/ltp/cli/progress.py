@@ -93,7 +93,7 @@ class GapProgress:
 
 
 class FlightProgress:
-    """A bar along one flight's way-points."""
+    """A bar along one flight's waypoints."""
 
     def __init__(self, console: Console, title: str) -> None:
         self._title = title
@@ -125,7 +125,7 @@ class FlightProgress:
     def on_step(self, mission: "Mission") -> None:
         """See `Observer`."""
         note = f"{mission.time:.0f} s, {mission.planner.plans_made} plans"
-        self._bar.update(self._task, completed=mission.planner.way_point_index, note=note)
+        self._bar.update(self._task, completed=mission.planner.waypoint_index, note=note)
 
     def on_end(self, mission: "Mission", record: "FlightRecord") -> None:
         """See `Observer`."""

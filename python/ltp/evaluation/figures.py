@@ -152,8 +152,8 @@ def sweep_figure(rows: Sequence[FlightRow], attribution: str) -> "Figure":
 
 
 def draw_drops(axes: "Axes", records: Sequence[FlightRecord]) -> None:
-    """Crosses on the way-points that any of the flights dropped as unreachable."""
-    drops = {event.index: event.goal for r in records for event in r.way_points if _dropped(event)}
+    """Crosses on the waypoints that any of the flights dropped as unreachable."""
+    drops = {event.index: event.goal for r in records for event in r.waypoints if _dropped(event)}
     if not drops:
         return
     goals = np.array(list(drops.values()))
@@ -164,7 +164,7 @@ def draw_drops(axes: "Axes", records: Sequence[FlightRecord]) -> None:
         "edgecolor": "#1a1d22",
         "lw": 1.1,
     }
-    label = "way-point proved unreachable"
+    label = "waypoint proved unreachable"
     axes.scatter(goals[:, 0], goals[:, 1], zorder=7, label=label, **style)
 
 

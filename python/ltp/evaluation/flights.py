@@ -107,7 +107,7 @@ class Pilot:
         )
 
     def _judge(self, record: FlightRecord) -> TrueCells | None:
-        """Made when the first way-point is dropped: all flights share one lattice."""
+        """Made when the first waypoint is dropped: all flights share one lattice."""
         if self._cells is None and record.dropped:
             self._cells = TrueCells(self._world, self._base.mapping)
         return self._cells

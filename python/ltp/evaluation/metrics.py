@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ltp.sim.record import FlightRecord, Outcome, WayPointEvent
+from ltp.sim.record import FlightRecord, Outcome, WaypointEvent
 from ltp.world import World
 
 from .reachability import TrueCells
@@ -55,13 +55,13 @@ def end_distance(record: FlightRecord) -> float:
 
 def wrongly_dropped(
     record: FlightRecord, world: World, cells: TrueCells | None = None
-) -> list[WayPointEvent]:
-    """The dropped way-points to which the true world's own cells have a way.
+) -> list[WaypointEvent]:
+    """The dropped waypoints to which the true world's own cells have a way.
 
     For each drop, a flood over the cells that the solid world itself blocks (the same lattice,
     inflation and altitude band as the mission's map, but the whole world instead of the window, and
     all of its surface instead of what was sensed) from where the UAV was. If it reaches the
-    way-point's cell, the drop was wrong.
+    waypoint's cell, the drop was wrong.
 
     Args:
         record: of the flight.
@@ -71,7 +71,7 @@ def wrongly_dropped(
     Raises:
         ValueError: if the map's window was not on the lattice of the cells.
     """
-    drops = [event for event in record.way_points if event.outcome == "dropped"]
+    drops = [event for event in record.waypoints if event.outcome == "dropped"]
     if not drops:
         return []
     cells = cells or TrueCells(world, record.config.mapping)
@@ -103,7 +103,7 @@ def flight_row(
         world: that it was flown over.
         cells: see `wrongly_dropped`.
     """
-    drops = [event for event in record.way_points if event.outcome == "dropped"]
+    drops = [event for event in record.waypoints if event.outcome == "dropped"]
     times = TimeStatistics.of(record.plan_seconds)
     config = record.config
     return FlightRow(
@@ -118,8 +118,8 @@ def flight_row(
         seed=scenario.seed,
         crosses_building=scenario.crosses_building,
         outcome=record.outcome.value,
-        way_points=len(record.global_path) - 1,
-        reached=len(record.way_points) - len(drops),
+        waypoints=len(record.global_path) - 1,
+        reached=len(record.waypoints) - len(drops),
         dropped=len(drops),
         dropped_goal_blocked=sum(drop.reason == "goal_blocked" for drop in drops),
         dropped_unreachable=sum(drop.reason == "unreachable" for drop in drops),

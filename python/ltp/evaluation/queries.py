@@ -40,9 +40,9 @@ class RecordedQuery:
 
     scenario: int  # which of the global paths was flown; its priority maps are the set's
     time: float  # of the flight [s]
-    way_point: int  # that was flown to
+    waypoint: int  # that was flown to
     start: NDArray[np.float64]  # (3,) [m]
-    goal: NDArray[np.float64]  # (3,): the way-point, or a stop-over inside the window [m]
+    goal: NDArray[np.float64]  # (3,): the waypoint, or a stop-over inside the window [m]
     band: tuple[float, float]  # as flown
     flown: float  # Eq. 5 of the plan that was flown; inf if there was none
     blocked: CellMap  # the window: every level that was sensed, also those outside the band
@@ -67,7 +67,7 @@ class RecordedQuery:
     def digest(self) -> str:
         """Of the question, and of when it was asked."""
         frame = self.blocked.frame
-        facts = (self.scenario, self.time, self.way_point, tuple(frame.dims))
+        facts = (self.scenario, self.time, self.waypoint, tuple(frame.dims))
         digest = hashlib.sha256(repr(facts).encode())
         for values in (frame.origin, frame.cell, self.start, self.goal, self.blocked.columns):
             digest.update(np.ascontiguousarray(values).data)
@@ -178,7 +178,7 @@ class QueryRecorder:
                 RecordedQuery(
                     scenario=self._scenario,
                     time=mission.time,
-                    way_point=answer.way_point,
+                    waypoint=answer.waypoint,
                     start=start,
                     goal=goal,
                     band=mission.config.navigation.band,
@@ -241,10 +241,10 @@ def evenly(items: Sequence[RecordedQuery], count: int) -> list[RecordedQuery]:
 
 
 def _goal(mission: Mission, answer: PlanRecord) -> NDArray[np.float64]:
-    """A way-point beyond the window was replaced by a stop-over: the plan ends there."""
+    """A waypoint beyond the window was replaced by a stop-over: the plan ends there."""
     if answer.plan.status == PlanStatus.FOUND:
         return np.array(answer.plan.path[-1])
-    return np.array(mission.planner.way_points[answer.way_point])
+    return np.array(mission.planner.waypoints[answer.waypoint])
 
 
 def _raster_header(raster: Raster) -> dict[str, Any]:
@@ -260,7 +260,7 @@ def _query_header(query: RecordedQuery) -> dict[str, Any]:
     return {
         "scenario": query.scenario,
         "time": query.time,
-        "way_point": query.way_point,
+        "waypoint": query.waypoint,
         "start": query.start.tolist(),
         "goal": query.goal.tolist(),
         "band": query.band,

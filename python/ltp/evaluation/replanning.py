@@ -39,9 +39,9 @@ class ScanPair:
 
 
 class Rivals:
-    """Observer that asks two planners at every scan for the way to the current way-point.
+    """Observer that asks two planners at every scan for the way to the current waypoint.
 
-    Scans whose way-point lies outside the window are left out.
+    Scans whose waypoint lies outside the window are left out.
 
     Args:
         planner: name of the one that is judged.
@@ -61,10 +61,10 @@ class Rivals:
     def on_step(self, mission: Mission) -> None:
         """See `Observer`."""
         planner = mission.planner
-        if planner.way_point_index >= len(planner.way_points):
+        if planner.waypoint_index >= len(planner.waypoints):
             return
         grid = planner.map.blocked
-        goal = planner.way_points[planner.way_point_index]
+        goal = planner.waypoints[planner.waypoint_index]
         if not grid.frame.contains(goal):
             return
         scene = Scene(grid, mission.priority)
@@ -152,7 +152,7 @@ def summarise_replanning(scans: Sequence[ScanPair]) -> ReplanningSummary:
         ValueError: no scans.
     """
     if not scans:
-        raise ValueError("no scan of this flight had its way-point in the window")
+        raise ValueError("no scan of this flight had its waypoint in the window")
     sides = [scan.ours for scan in scans], [scan.theirs for scan in scans]
     cells = [np.array([answer.expanded for answer in side], dtype=np.float64) for side in sides]
     times = [np.array([1e3 * answer.seconds for answer in side]) for side in sides]

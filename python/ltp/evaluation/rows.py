@@ -25,10 +25,10 @@ class FlightRow:
     seed: int
     crosses_building: bool  # the straight global path does
     outcome: str  # reached, timed_out, collided
-    way_points: int  # to reach: the start is none
-    reached: int  # way-points reached
-    dropped: int  # way-points dropped as proved unreachable
-    dropped_goal_blocked: int  # of these: the way-point lay in a blocked cell
+    waypoints: int  # to reach: the start is none
+    reached: int  # waypoints reached
+    dropped: int  # waypoints dropped as proved unreachable
+    dropped_goal_blocked: int  # of these: the waypoint lay in a blocked cell
     dropped_unreachable: int  # of these: no free path led there
     wrongly_dropped: int  # of these: the true world's own cells have a way there
     collided: bool

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ltp._core import Raster
 
 _REFERENCES = ("ground", "datum")
-_SPACING_TOLERANCE = 1e-9  # of a spacing: no way-point this close before the end
+_SPACING_TOLERANCE = 1e-9  # of a spacing: no waypoint this close before the end
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,8 +30,8 @@ class ScenarioOptions:
     count: int = 50
     seed: int = 1
     length: float = 500.0  # of a global path, over the ground [m]
-    spacing: float = 50.0  # of its way-points, over the ground [m]
-    altitude: float = 50.0  # height of the way-points above `reference` [m]
+    spacing: float = 50.0  # of its waypoints, over the ground [m]
+    altitude: float = 50.0  # height of the waypoints above `reference` [m]
     reference: str = "ground"  # "ground": above the bare ground beneath each; "datum": z itself
     margin: float = 20.0  # kept between a path and the edge of the world [m]
     clearance: float = 10.0  # of the start: the UAV is flying there already [m]
@@ -69,7 +69,7 @@ class Scenario:
 
     index: int
     seed: int  # of the whole set
-    global_path: NDArray[np.float64]  # (n, 3) way-points, the start first, world frame [m]
+    global_path: NDArray[np.float64]  # (n, 3) waypoints, the start first, world frame [m]
     crosses_building: bool  # whether the straight global path touches a building
 
 
@@ -78,7 +78,7 @@ def make_scenarios(world: World, options: ScenarioOptions | None = None) -> list
 
     Start and direction are uniform; a line is refused and drawn again if its end leaves the world
     less the margin, if its start is not `clearance` away from anything solid, or if it must cross a
-    building and does not (exact test, way-point to way-point). Way-points other than the start may
+    building and does not (exact test, waypoint to waypoint). Waypoints other than the start may
     lie anywhere, inside buildings too.
 
     Raises:
@@ -162,9 +162,9 @@ class _Maker:
         end = start + self._options.length * direction
         if np.any(end < self._low) or np.any(end > self._high):
             return None
-        return self._way_points(start, direction)
+        return self._waypoints(start, direction)
 
-    def _way_points(
+    def _waypoints(
         self, start: NDArray[np.float64], direction: NDArray[np.float64]
     ) -> NDArray[np.float64]:
         options = self._options

@@ -63,7 +63,7 @@ class Snapshot:
 
 
 class SnapshotTaker:
-    """Takes a snapshot whenever the planner takes up another path or retires a way-point."""
+    """Takes a snapshot whenever the planner takes up another path or retires a waypoint."""
 
     def __init__(self) -> None:
         self.snapshots: list[Snapshot] = []
@@ -84,7 +84,7 @@ class SnapshotTaker:
         self._path_id = planner.path_id
         self._events = planner.events_count
         drops = [event for event in fresh if not event.reached]
-        index = min(planner.way_point_index, len(planner.way_points) - 1)
+        index = min(planner.waypoint_index, len(planner.waypoints) - 1)
         self.snapshots.append(
             Snapshot(
                 time=mission.time,
@@ -92,7 +92,7 @@ class SnapshotTaker:
                 occupied=CellMap.of(planner.map.occupied),
                 blocked=CellMap.of(planner.map.blocked),
                 path=planner.path,
-                goal=np.array(drops[0].goal) if drops else planner.way_points[index],
+                goal=np.array(drops[0].goal) if drops else planner.waypoints[index],
                 dropped=bool(drops),
             )
         )

@@ -94,7 +94,7 @@ def draw_moment(axes: "Axes", snapshot: Snapshot, max_range: float) -> None:
         s=150,
         marker="*",
         color=GOAL,
-        label="way-point",
+        label="waypoint",
         **style,
     )
 

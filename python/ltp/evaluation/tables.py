@@ -57,7 +57,7 @@ class Summary:
     completed: int  # the end of the global path was reached, or proved unreachable
     timed_out: int
     collisions: int
-    dropped: int  # way-points, of all flights together
+    dropped: int  # waypoints, of all flights together
     wrongly_dropped: int
     mean_priority: Spread
     length_ratio: Spread
@@ -231,7 +231,7 @@ _COLUMNS = (
     _Column("median ms", lambda s: _time(s.time_median)),
     _Column("95 % ms", lambda s: _time(s.time_p95)),
     _Column("completed", lambda s: f"{s.completed}/{s.flights}"),
-    _Column("way-points dropped (wrongly)", lambda s: f"{s.dropped} ({s.wrongly_dropped})"),
+    _Column("waypoints dropped (wrongly)", lambda s: f"{s.dropped} ({s.wrongly_dropped})"),
     _Column("collisions", lambda s: str(s.collisions)),
     _Column("smallest clearance [m]", lambda s: _spread(Spread(s.min_clearance, math.nan))),
 )
@@ -246,7 +246,7 @@ _BRIEF = {
     "ms per plan": "ms",
     "95 % ms": "95 %",
     "completed": "done",
-    "way-points dropped (wrongly)": "dropped",
+    "waypoints dropped (wrongly)": "dropped",
     "collisions": "hits",
     "smallest clearance [m]": "clear",
 }

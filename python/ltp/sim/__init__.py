@@ -3,7 +3,7 @@
 """The simulator: LiDAR over a true world, the local trajectory planner, guidance, a vehicle."""
 
 from ltp.sim.mission import Mission, Observer, fly
-from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WayPointEvent
+from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WaypointEvent
 
 __all__ = [
     "FlightRecord",
@@ -11,6 +11,6 @@ __all__ = [
     "Observer",
     "Outcome",
     "PlanEntry",
-    "WayPointEvent",
+    "WaypointEvent",
     "fly",
 ]

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ltp._core import LocalTrajectoryPlanner, tally
-from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WayPointEvent
+from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WaypointEvent
 from ltp.sim.vehicle import PointMass
 
 if TYPE_CHECKING:
@@ -26,9 +26,9 @@ class FlightLog:
         self._positions: list[NDArray[np.float64]] = []
         self._velocities: list[NDArray[np.float64]] = []
         self._plan_index: list[int] = []
-        self._way_point_index: list[int] = []
+        self._waypoint_index: list[int] = []
         self._plans: list[PlanEntry] = []
-        self._events: list[WayPointEvent] = []
+        self._events: list[WaypointEvent] = []
         self._plans_made = 0
         self._path_id = -1
 
@@ -43,7 +43,7 @@ class FlightLog:
         self._positions.append(vehicle.position)
         self._velocities.append(vehicle.velocity)
         self._plan_index.append(len(self._plans) - 1)
-        self._way_point_index.append(planner.way_point_index)
+        self._waypoint_index.append(planner.waypoint_index)
         changed = planner.path_id != self._path_id
         self._path_id = planner.path_id
         return changed
@@ -54,7 +54,7 @@ class FlightLog:
             self._plans.append(
                 PlanEntry(
                     time=time,
-                    way_point=answer.way_point,
+                    waypoint=answer.waypoint,
                     status=plan.status.name.lower(),
                     path=plan.path,
                     penalty=plan.penalty,
@@ -71,7 +71,7 @@ class FlightLog:
             return
         for event in self._planner.events[len(self._events) :]:
             self._events.append(
-                WayPointEvent(
+                WaypointEvent(
                     index=event.index,
                     outcome="reached" if event.reached else "dropped",
                     reason="" if event.reached else event.reason.name.lower(),
@@ -101,8 +101,8 @@ class FlightLog:
             positions=positions,
             velocities=np.array(self._velocities),
             plan_index=np.array(self._plan_index, dtype=np.int64),
-            way_point_index=np.array(self._way_point_index, dtype=np.int64),
-            way_points=self._events,
+            waypoint_index=np.array(self._waypoint_index, dtype=np.int64),
+            waypoints=self._events,
             plans=self._plans,
             outcome=outcome,
             collision=collision,

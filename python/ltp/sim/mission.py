@@ -65,7 +65,7 @@ class Mission:
             map_options=config.mapping,
             options=config.navigation,
         )
-        self.planner.set_way_points(self.global_path[1:])
+        self.planner.set_waypoints(self.global_path[1:])
         self.vehicle = PointMass(self.global_path[0], config.vehicle)
         self.guidance = PathFollower(config.vehicle.speed, config.vehicle.max_acceleration)
         self.log = FlightLog(self.planner)
@@ -86,7 +86,7 @@ class Mission:
         return self.vehicle.position
 
     def fly(self) -> FlightRecord:
-        """Fly until the way-points are used up, the time is over, or something is hit."""
+        """Fly until the waypoints are used up, the time is over, or something is hit."""
         for observer in self.observers:
             observer.on_start(self)
         outcome, collision, held = None, None, 0.0
@@ -135,7 +135,7 @@ def fly(
         world: what is really there; the UAV learns of it through its LiDAR only.
         config: planner, weights, sensor, map, vehicle.
         global_path: (n, 3), n >= 2, world [m]; the UAV starts at its first point, the others are
-            its way-points. It may lead through buildings.
+            its waypoints. It may lead through buildings.
         observers: told of every step, in order.
 
     Returns:

@@ -21,21 +21,21 @@ _FORMAT = 1
 class Outcome(enum.StrEnum):
     """How a flight ended."""
 
-    REACHED = "reached"  # the last way-point was reached, or proved unreachable
+    REACHED = "reached"  # the last waypoint was reached, or proved unreachable
     TIMED_OUT = "timed_out"
     COLLIDED = "collided"
 
 
 @dataclass(frozen=True)
-class WayPointEvent:
-    """What became of a way-point. Points are (x, y, z), world [m]."""
+class WaypointEvent:
+    """What became of a waypoint. Points are (x, y, z), world [m]."""
 
     index: int
     outcome: str  # "reached" or "dropped"
     reason: str  # why it was dropped: "goal_blocked" or "unreachable"; "" if it was reached
     time: float  # [s]
     position: tuple[float, float, float]  # of the UAV
-    goal: tuple[float, float, float]  # the way-point
+    goal: tuple[float, float, float]  # the waypoint
     window_origin: tuple[float, float, float]  # lowest corner of the map's window
 
 
@@ -44,7 +44,7 @@ class PlanEntry:
     """One answer of the planner."""
 
     time: float  # [s]
-    way_point: int
+    waypoint: int
     status: str  # of `ltp.PlanStatus`, in lower case
     path: NDArray[np.float64]  # (k, 3), empty unless found [m]
     penalty: float  # Eq. 5; inf unless found
@@ -67,8 +67,8 @@ class FlightRecord:
     positions: NDArray[np.float64]  # (t, 3)
     velocities: NDArray[np.float64]  # (t, 3)
     plan_index: NDArray[np.int64]  # (t,) which of `plans` was last made, -1 before the first
-    way_point_index: NDArray[np.int64]  # (t,) the way-point flown to
-    way_points: list[WayPointEvent]
+    waypoint_index: NDArray[np.int64]  # (t,) the waypoint flown to
+    waypoints: list[WaypointEvent]
     plans: list[PlanEntry]
     outcome: Outcome
     collision: tuple[float, float, float] | None  # where the true world was first touched
@@ -84,9 +84,9 @@ class FlightRecord:
         return self.length / float(np.linalg.norm(steps, axis=1).sum())
 
     @property
-    def dropped(self) -> list[WayPointEvent]:
-        """The way-points that were proved unreachable."""
-        return [event for event in self.way_points if event.outcome == "dropped"]
+    def dropped(self) -> list[WaypointEvent]:
+        """The waypoints that were proved unreachable."""
+        return [event for event in self.waypoints if event.outcome == "dropped"]
 
     @property
     def duration(self) -> float:
@@ -95,7 +95,7 @@ class FlightRecord:
 
     @property
     def complete(self) -> bool:
-        """Whether every way-point was reached."""
+        """Whether every waypoint was reached."""
         return self.outcome is Outcome.REACHED and not self.dropped
 
     @property
@@ -121,7 +121,7 @@ class FlightRecord:
             "min_clearance": self.min_clearance,
             "mean_priority": self.mean_priority,
             "length": self.length,
-            "way_points": [vars(event) for event in self.way_points],
+            "waypoints": [vars(event) for event in self.waypoints],
             "plans": [{k: v for k, v in vars(plan).items() if k != "path"} for plan in self.plans],
             "metadata": self.metadata,
         }
@@ -153,12 +153,12 @@ class FlightRecord:
                 PlanEntry(**entry, path=line)
                 for entry, line in zip(header.pop("plans"), paths, strict=True)
             ]
-            events = [WayPointEvent(**_tuples(event)) for event in header.pop("way_points")]
+            events = [WaypointEvent(**_tuples(event)) for event in header.pop("waypoints")]
             return cls(
                 config=MissionConfig.from_dict(header.pop("config")),
                 outcome=Outcome(header.pop("outcome")),
                 plans=plans,
-                way_points=events,
+                waypoints=events,
                 **{name: arrays[name] for name in _ARRAYS},
                 **_tuples(header),
             )
@@ -166,7 +166,7 @@ class FlightRecord:
             raise ValueError(f"{path}: not a flight record: {error}") from error
 
 
-_ARRAYS = ("global_path", "times", "positions", "velocities", "plan_index", "way_point_index")
+_ARRAYS = ("global_path", "times", "positions", "velocities", "plan_index", "waypoint_index")
 
 
 def _tuples(values: dict[str, Any]) -> dict[str, Any]:

@@ -121,7 +121,7 @@ class FlightRecording:
         self._note_flown(mission)
         self._note_map(mission)
         text = f"{record.outcome.value}: mean priority {record.mean_priority:.2f}, "
-        text += f"length ratio {record.length_ratio:.2f}, {len(record.dropped)} way-points dropped"
+        text += f"length ratio {record.length_ratio:.2f}, {len(record.dropped)} waypoints dropped"
         self._log("events", self._rr.TextLog(text, level="INFO"))
         if record.collision is not None:
             spot = np.array([record.collision])
@@ -136,15 +136,15 @@ class FlightRecording:
                 self._events += 1
                 fate = "reached" if event.reached else f"dropped: {event.reason.name.lower()}"
                 level = "INFO" if event.reached else "WARN"
-                text = f"way-point {event.index + 1} {fate}"
+                text = f"waypoint {event.index + 1} {fate}"
                 self._log("events", self._rr.TextLog(text, level=level))
         elif self._flown[1:]:
             return
-        goals = planner.way_points
+        goals = planner.waypoints
         colours = np.tile(np.array(_CYAN, dtype=np.uint8), (len(goals), 1))
         for event in planner.events:
             colours[event.index] = _GREEN if event.reached else _RED
-        self._log("mission/way_points", self._rr.Points3D(goals, colors=colours, radii=2.0))
+        self._log("mission/waypoints", self._rr.Points3D(goals, colors=colours, radii=2.0))
 
     def _note_plans(self, mission: "Mission") -> None:
         for answer in mission.planner.plans:
@@ -236,7 +236,7 @@ class FlightRecording:
             rrb.TimeSeriesView(origin="/plots/penalty", name="penalty, Eq. (5)"),
             rrb.TimeSeriesView(origin="/plots/priority", name="mean priority"),
             rrb.TimeSeriesView(origin="/plots/search", name="search time [ms]"),
-            rrb.TextLogView(origin="/events", name="way-points"),
+            rrb.TextLogView(origin="/events", name="waypoints"),
             rrb.TextDocumentView(origin="/about", name="about"),
         )
         return rrb.Blueprint(

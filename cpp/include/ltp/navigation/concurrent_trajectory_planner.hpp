@@ -26,11 +26,11 @@ struct Decision {
   NavigationStatus status = NavigationStatus::Holding;
   Path path = Path(0, 3);  ///< valid on that map (N, 3) [m]; empty when there is none
   std::int64_t path_id = 0;
-  int way_point_index = 0;
-  std::vector<WayPointEvent> events;
+  int waypoint_index = 0;
+  std::vector<WaypointEvent> events;
   std::vector<PlanRecord> plans;
   std::int64_t plans_made = 0;
-  std::int64_t route = 0;  ///< counts the calls of `set_way_points` that it knows of
+  std::int64_t route = 0;  ///< counts the calls of `set_waypoints` that it knows of
 };
 
 /// A `LocalTrajectoryPlanner` whose scans never wait for a plan. The thread of the sensor inserts a
@@ -53,8 +53,8 @@ class ConcurrentTrajectoryPlanner {
   ~ConcurrentTrajectoryPlanner();
 
   /// Replaces what is left of the global path, from the next scan on; until then there is no path.
-  /// Rows are way-points, world [m]; may be empty.
-  void set_way_points(const PathRef& way_points);
+  /// Rows are waypoints, world [m]; may be empty.
+  void set_waypoints(const PathRef& waypoints);
 
   /// Adds a scan as `LocalTrajectoryPlanner` does and hands the map over; the UAV is where the rays
   /// began [m]. Throws what the planning thread has thrown, if it has.
@@ -76,7 +76,7 @@ class ConcurrentTrajectoryPlanner {
   /// what the planning thread has thrown.
   bool wait(double seconds);
 
-  const Path& way_points() const { return way_points_; }
+  const Path& waypoints() const { return waypoints_; }
   const ObstacleMap& map() const { return map_; }
   std::int64_t scans() const { return scan_; }  ///< sensed so far
 
@@ -87,8 +87,8 @@ class ConcurrentTrajectoryPlanner {
     std::int64_t version;  ///< of the map
     OccupancyGrid occupied;
     OccupancyGrid blocked;
-    std::int64_t route;  ///< number of the way-points
-    Path way_points;
+    std::int64_t route;  ///< number of the waypoints
+    Path waypoints;
   };
 
   void run();
@@ -99,9 +99,9 @@ class ConcurrentTrajectoryPlanner {
   std::int64_t scan_ = 0;
   std::int64_t version_ = 0;  ///< of the map
   Point position_;            ///< of the last scan [m]
-  Path way_points_ = Path(0, 3);
-  std::int64_t route_ = 0;  ///< number of the way-points
-  Decision none_;           ///< what there is while the newest decision is about other way-points
+  Path waypoints_ = Path(0, 3);
+  std::int64_t route_ = 0;  ///< number of the waypoints
+  Decision none_;           ///< what there is while the newest decision is about other waypoints
   const Decision* given_ = &none_;
   std::int64_t flown_path_ = 0;  ///< `path_id` of the path that `progress_` is about
   double progress_ = 0.0;        ///< arc length of it already flown [m]

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ltp authors
 // SPDX-License-Identifier: BSD-3-Clause
-// `LocalTrajectoryPlanner`: the loop that flies. Way-points, scans and poses in; plan and status
+// `LocalTrajectoryPlanner`: the loop that flies. Waypoints, scans and poses in; plan and status
 // out.
 #pragma once
 
@@ -15,8 +15,8 @@
 namespace ltp {
 
 /// Holds the map, and a `Navigator` that decides on it. Replans when the path is blocked, when a
-/// way-point is reached or dropped, when the UAV has left its path; never on a clock. Drops a
-/// way-point only on proof: the map has it in a blocked cell, or a flood from it, over all that is
+/// waypoint is reached or dropped, when the UAV has left its path; never on a clock. Drops a
+/// waypoint only on proof: the map has it in a blocked cell, or a flood from it, over all that is
 /// remembered and sharing nothing with the planners, ends neither at the UAV nor at the edge of the
 /// known. No clock, no I/O, and no allocation in `sense` and `update` unless a plan is made.
 class LocalTrajectoryPlanner {
@@ -30,8 +30,8 @@ class LocalTrajectoryPlanner {
   LocalTrajectoryPlanner(const ObstacleMapOptions& map_options, const NavigationOptions& options,
                          Raster priority, const Point& position);
 
-  /// Replaces what is left of the global path. Rows are way-points, world [m]; may be empty.
-  void set_way_points(const PathRef& way_points) { navigator_.set_way_points(way_points); }
+  /// Replaces what is left of the global path. Rows are waypoints, world [m]; may be empty.
+  void set_waypoints(const PathRef& waypoints) { navigator_.set_waypoints(waypoints); }
   void set_priority(Raster priority) { navigator_.set_priority(std::move(priority)); }
 
   /// Adds a scan: where its rays began, where they hit, and (for carving) where those without a
@@ -49,16 +49,16 @@ class LocalTrajectoryPlanner {
   const Path& path() const { return navigator_.path(); }
   /// Counts the paths taken up and given up: as long as it stands, so does `path()`.
   std::int64_t path_id() const { return navigator_.path_id(); }
-  /// The planner's answers when it was last asked: one, or more where way-points were dropped on
+  /// The planner's answers when it was last asked: one, or more where waypoints were dropped on
   /// the way.
   const std::vector<PlanRecord>& plans() const { return navigator_.plans(); }
   std::int64_t plans_made() const { return navigator_.plans_made(); }  ///< since the beginning
-  /// Reached and dropped way-points, in order, since `set_way_points`.
-  const std::vector<WayPointEvent>& events() const { return navigator_.events(); }
-  int way_point_index() const {
-    return navigator_.way_point_index();
-  }  ///< the way-point flown to; the number of them when finished
-  const Path& way_points() const { return navigator_.way_points(); }
+  /// Reached and dropped waypoints, in order, since `set_waypoints`.
+  const std::vector<WaypointEvent>& events() const { return navigator_.events(); }
+  int waypoint_index() const {
+    return navigator_.waypoint_index();
+  }  ///< the waypoint flown to; the number of them when finished
+  const Path& waypoints() const { return navigator_.waypoints(); }
   const ObstacleMap& map() const { return map_; }
   ObstacleMap& map() { return map_; }
   const Planner& planner() const { return navigator_.planner(); }

@@ -20,9 +20,9 @@ namespace ltp {
 
 struct NavigationOptions {
   AltitudeBand band{0.0,
-                    0.0};  ///< about the altitudes of UAV and way-point [m]; {0, 0}: planar flight
+                    0.0};  ///< about the altitudes of UAV and waypoint [m]; {0, 0}: planar flight
   double reach_distance =
-      0.0;  ///< a way-point is reached within it, horizontally [m]; 0: one horizontal cell diagonal
+      0.0;  ///< a waypoint is reached within it, horizontally [m]; 0: one horizontal cell diagonal
   double leave_distance =
       0.0;  ///< farther from its path the UAV has left it [m]; 0: one horizontal cell diagonal
   double escape_distance =
@@ -36,8 +36,8 @@ struct NavigationOptions {
 };
 
 enum class NavigationStatus {
-  Finished,   ///< no way-point is left (or none was given)
-  Following,  ///< there is a path to the next way-point, or towards it where it lies beyond the
+  Finished,   ///< no waypoint is left (or none was given)
+  Following,  ///< there is a path to the next waypoint, or towards it where it lies beyond the
               ///< window
   Escaping,   ///< the UAV stands in a blocked cell: the path leads to the nearest free one
   Holding,    ///< no path and no proof: stay, and try again when the map has changed
@@ -45,20 +45,20 @@ enum class NavigationStatus {
 
 std::string_view to_string(NavigationStatus status);
 
-/// What became of a way-point.
-struct WayPointEvent {
-  int index = 0;         ///< of the way-point, from 0
+/// What became of a waypoint.
+struct WaypointEvent {
+  int index = 0;         ///< of the waypoint, from 0
   bool reached = false;  ///< true: reached; false: dropped
   /// Why it was dropped: `GoalBlocked` or `Unreachable`, nothing else; `Found` if it was reached.
   PlanStatus reason = PlanStatus::Found;
   Point position = Point::Zero();       ///< of the UAV [m]
-  Point goal = Point::Zero();           ///< the way-point [m]
+  Point goal = Point::Zero();           ///< the waypoint [m]
   Point window_origin = Point::Zero();  ///< lowest corner of the map's window [m]
 };
 
 /// One answer of the planner.
 struct PlanRecord {
-  int way_point = 0;           ///< for which it was asked
+  int waypoint = 0;           ///< for which it was asked
   double direct_length = 0.0;  ///< L_direct of the query [m]
   Plan plan;
 };
@@ -70,8 +70,8 @@ struct MapView {
   std::int64_t version = 0;       ///< grows, from 0, whenever cells become occupied or free
 };
 
-/// Holds the way-points and the plan. Replans when the path is blocked, when a way-point is reached
-/// or dropped, when the UAV has left its path; never on a clock. Drops a way-point only on proof:
+/// Holds the waypoints and the plan. Replans when the path is blocked, when a waypoint is reached
+/// or dropped, when the UAV has left its path; never on a clock. Drops a waypoint only on proof:
 /// the map has it in a blocked cell, or a flood from it, over all that is remembered and sharing
 /// nothing with the planners, ends neither at the UAV nor at the edge of the known.
 class Navigator {
@@ -84,7 +84,7 @@ class Navigator {
   Navigator(std::unique_ptr<Planner> planner, const NavigationOptions& options, Raster priority,
             const GridFrame& window, double inflation_radius, const Point& position);
 
-  void set_way_points(const PathRef& way_points);
+  void set_waypoints(const PathRef& waypoints);
   void set_priority(Raster priority);
 
   /// Keeps what a window holds for proofs; to be told before the map forgets it.
@@ -101,17 +101,17 @@ class Navigator {
   std::int64_t path_id() const { return path_id_; }
   const std::vector<PlanRecord>& plans() const { return plans_; }
   std::int64_t plans_made() const { return plans_made_; }
-  const std::vector<WayPointEvent>& events() const { return events_; }
-  int way_point_index() const { return next_; }
-  const Path& way_points() const { return way_points_; }
+  const std::vector<WaypointEvent>& events() const { return events_; }
+  int waypoint_index() const { return next_; }
+  const Path& waypoints() const { return waypoints_; }
   const Planner& planner() const { return *planner_; }
   const Raster& priority() const { return priority_; }
 
  private:
   static constexpr std::int64_t kNoVersion = -1;
 
-  bool finished() const { return next_ >= way_points_.rows(); }
-  Point way_point(int index) const { return way_points_.row(index).transpose(); }
+  bool finished() const { return next_ >= waypoints_.rows(); }
+  Point waypoint(int index) const { return waypoints_.row(index).transpose(); }
   void retire(const MapView& map, bool reached, PlanStatus reason, const Point& position);
   void take_reached(const MapView& map, const Point& position);
   bool must_replan(const MapView& map, const Point& position);
@@ -126,22 +126,22 @@ class Navigator {
   std::unique_ptr<Planner> planner_;
   NavigationOptions options_;
   Raster priority_;
-  Path way_points_ = Path(0, 3);
-  Point leg_begin_ = Point::Zero();  ///< where the leg to the current way-point began
+  Path waypoints_ = Path(0, 3);
+  Point leg_begin_ = Point::Zero();  ///< where the leg to the current waypoint began
   int next_ = 0;
-  std::vector<WayPointEvent> events_;
+  std::vector<WaypointEvent> events_;
 
   NavigationStatus status_ = NavigationStatus::Finished;
   Path path_ = Path(0, 3);
   Point target_ =
-      Point::Zero();       ///< the end of `path_`: a way-point, or a stopover on the way to it
-  bool stopover_ = false;  ///< whether `target_` is not the way-point itself
+      Point::Zero();       ///< the end of `path_`: a waypoint, or a stopover on the way to it
+  bool stopover_ = false;  ///< whether `target_` is not the waypoint itself
   double progress_ = 0.0;  ///< arc length of `path_` already flown [m]
   std::int64_t path_id_ = 0;
   std::int64_t planned_on_ = kNoVersion;  ///< version of the map that was last planned on
   std::vector<PlanRecord> plans_;
   std::int64_t plans_made_ = 0;
-  int plans_for_way_point_ = 0;
+  int plans_for_waypoint_ = 0;
   Flood flood_;
   ObstacleMemory memory_;
 };
