@@ -21,6 +21,7 @@ from ltp import (
     ObstacleMap,
     ObstacleMapOptions,
     OccupancyGrid,
+    PenaltyWeights,
     Pose,
     Query,
     Raster,
@@ -62,7 +63,7 @@ def cells(dims: Dims, queries: int) -> Row:
         times.append((time.process_time() - begin) * 1e3)
         found += plan.status.name == "FOUND"
     planned = (peak() - before) / 1e6
-    shortest = make_planner("auto", length_weight=1.0, priority_weight=0.0)
+    shortest = make_planner("auto", weights=PenaltyWeights(length=1.0, priority=0.0))
     nowhere = Scene(grid, Raster(np.zeros((1, 1))))
     lengths = [
         _ms(functools.partial(shortest.plan, nowhere, Query(*ends)))
@@ -140,7 +141,7 @@ def memory() -> Row:
         priority,
         start,
         planner=config.planner,
-        planner_options=config.planner_options(),
+        planner_options=config.planner_options,
         map_options=config.mapping,
         options=config.navigation,
     )

@@ -24,10 +24,10 @@ from ltp import (
     LocalTrajectoryPlanner,
     MissionConfig,
     NavigationStatus,
+    ObstacleMap,
     World,
 )
 from ltp.evaluation.scenarios import ScenarioOptions, make_scenario
-from ltp.sim.log import FlightLog
 from ltp.sim.mission import Mission
 from ltp.world.city import make_city
 
@@ -75,6 +75,10 @@ class TwoThreads:
         return getattr(self._decision, name)
 
     @property
+    def map(self) -> ObstacleMap:
+        return self._planner.map
+
+    @property
     def events_count(self) -> int:
         return len(self._decision.events)
 
@@ -112,21 +116,21 @@ def fly(world: World, index: int, make: Callable[[Mission], Any]) -> tuple[Any, 
     config.lidar.pattern.azimuths, config.lidar.pattern.rows = 1024, 64
     mission = Mission(world, config, path)
     mission.planner = planner = make(mission)
-    mission.log = FlightLog(planner)
     return planner, mission.fly()
 
 
 def beside(patience: float) -> Callable[[Mission], TwoThreads]:
     def make(mission: Mission) -> TwoThreads:
+        setup = mission.setup
         planner = ConcurrentTrajectoryPlanner(
-            mission.priority,
-            mission.global_path[0],
-            planner=mission.config.planner,
-            planner_options=mission.config.planner_options(),
-            map_options=mission.config.mapping,
-            options=mission.config.navigation,
+            setup.priority,
+            setup.global_path[0],
+            planner=setup.config.planner,
+            planner_options=setup.config.planner_options,
+            map_options=setup.config.mapping,
+            options=setup.config.navigation,
         )
-        planner.set_waypoints(mission.global_path[1:])
+        planner.set_waypoints(setup.waypoints)
         return TwoThreads(planner, patience)
 
     return make

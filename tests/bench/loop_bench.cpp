@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "ltp/navigation/local_trajectory_planner.hpp"
-#include "ltp/planning/planner.hpp"
+#include "ltp/planning/planners.hpp"
 #include "town.hpp"
 
 namespace ltp::bench {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "ltp/planning/planner.hpp"
+#include "ltp/planning/planners.hpp"
 #include "town.hpp"
 
 namespace ltp::bench {
@@ -31,8 +31,8 @@ void plan(benchmark::State& state, const std::string& name, const AltitudeBand& 
 }
 
 [[maybe_unused]] const bool registered = [] {
-  for (const std::string_view view : planner_names()) {
-    const std::string name(view);
+  for (const PlannerInfo& info : planners()) {
+    const std::string name(info.name);
     benchmark::RegisterBenchmark(("plan/" + name + "/planar").c_str(), plan, name,
                                  AltitudeBand{0.0, 0.0})
         ->Unit(benchmark::kMillisecond);

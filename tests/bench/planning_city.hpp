@@ -90,7 +90,7 @@ inline std::vector<Query> city_queries() {
     if (grid.blocked(start) || grid.blocked(goal) || length < 100.0 || length > 199.0) continue;
     const int between = boxes_between(grid, start, goal);
     if (between < 2 || between > 5) continue;
-    queries.push_back({kCityFrame.centre(start), kCityFrame.centre(goal), {}, nullptr});
+    queries.push_back({kCityFrame.centre(start), kCityFrame.centre(goal), {}});
   }
   return queries;
 }

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ltp.evaluation.backdrop import FAINT, INK
-from ltp.evaluation.figures import PATH_COLOURS
+from ltp.evaluation.figures.backdrop import FAINT, INK
+from ltp.evaluation.figures.flights import PATH_COLOURS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,12 +7,15 @@
 #include <vector>
 
 #include "each_query.hpp"
-#include "ltp/planning/flood.hpp"
-#include "ltp/planning/wavefront.hpp"
+#include "ltp/planning/grid_planner.hpp"
+#include "ltp/planning/planners.hpp"
+#include "planning/search/flood.hpp"
 #include "planning_city.hpp"
 
 namespace ltp::bench {
 namespace {
+
+using namespace planning;  // NOLINT: what is measured
 
 const LevelRange kAllLevels{0, kCityFrame.nz() - 1};
 
@@ -27,17 +30,17 @@ void ggwp(benchmark::State& state, const AltitudeBand& band) {
   const Raster priority = city_priority();
   const Scene scene{grid, priority};
   const std::vector<Query> queries = with_band(city_queries(), band);
-  WavefrontPlanner planner({});
+  const auto planner = make_planner("ggwp");
   double longer = 0.0;
   PlannerOptions lengths_only;
   lengths_only.weights = {1.0, 0.0};
   const auto shortest = make_planner("additive", lengths_only);
   for (const Query& query : queries) {
-    longer += planner.plan(scene, query).tally.length / shortest->plan(scene, query).tally.length /
+    longer += planner->plan(scene, query).tally.length / shortest->plan(scene, query).tally.length /
               static_cast<double>(queries.size());
   }
   each_query(state, queries, [&](const Query& query) {
-    const Plan plan = planner.plan(scene, query);
+    const Plan plan = planner->plan(scene, query);
     if (plan.status != PlanStatus::Found) state.SkipWithError("an unexpected answer");
     return plan.stats.expanded;
   });
@@ -63,7 +66,7 @@ std::int64_t scalar_wave(const OccupancyGrid& grid, const Cell& from, const Cell
     const std::uint32_t blocked = blocked_surroundings(grid, cell, levels);
     for (const Step& step : steps()) {
       if (blocked & step.box) continue;
-      const std::int64_t next = frame.index(cell + Cell(step.dx, step.dy, step.dz));
+      const std::int64_t next = frame.index(cell + step.offset());
       if (hops[next] >= 0) continue;
       hops[next] = hops[queue[head]] + 1;
       queue.push_back(next);

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "ltp/grid/neighbourhood.hpp"
 #include "ltp/planning/planner.hpp"
 
 namespace ltp::test {

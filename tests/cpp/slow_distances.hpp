@@ -35,7 +35,7 @@ inline std::vector<double> slow_distances(const OccupancyGrid& grid, const Cell&
     const std::uint32_t blocked = blocked_surroundings(grid, cell, levels);
     for (const Step& step : steps()) {
       if (blocked & step.box) continue;
-      const Cell next = cell + Cell(step.dx, step.dy, step.dz);
+      const Cell next = cell + step.offset();
       const double total = distance + (place(next) - place(cell)).norm();
       double& other = distances[frame.index(next)];
       if (total >= other) continue;

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "ltp/planning/grid_query.hpp"
+#include "ltp/planning/grid_planner.hpp"
 
 namespace ltp::test {
 
@@ -71,7 +71,7 @@ void all_simple_paths(const SmallGrid& small, Visitor&& visit, Judge&& hopeless)
     const std::uint32_t blocked = blocked_surroundings(small.grid, cell, {0, frame.nz() - 1});
     for (const Step& step : steps()) {
       if ((blocked & step.box) != 0) continue;
-      const Cell next = cell + Cell(step.dx, step.dy, step.dz);
+      const Cell next = cell + step.offset();
       Path path(2, 3);
       path << place(cell).transpose(), place(next).transpose();
       edges[i].push_back({next, tally(path, small.priority)});
@@ -93,7 +93,8 @@ void all_simple_paths(const SmallGrid& small, Visitor&& visit, Judge&& hopeless)
     used[frame.index(cell)] = 0;
   };
   if (start == goal) {
-    return visit(chain, tally(path_through(frame, small.query, chain), small.priority));
+    return visit(
+        chain, tally(path_through(Problem(small.scene(), small.query, {}), chain), small.priority));
   }
   extend(extend, {});
 }

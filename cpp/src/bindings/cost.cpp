@@ -5,15 +5,23 @@
 #include "ltp/cost/penalty.hpp"
 
 void bind_cost(py::module_& m) {
-  auto tally = py::class_<ltp::PathTally>(m, "PathTally",
-                                          "The two integrals along a path that Eq. (5) is made of.")
-                   .def(py::init<>())
-                   .def_readonly("length", &ltp::PathTally::length, "L, Eq. (2) [m]")
-                   .def_readonly("priority", &ltp::PathTally::priority,
-                                 "integral of the priority along the path, Eq. (4) [m]")
-                   .def_property_readonly("mean_priority", &ltp::PathTally::mean_priority,
-                                          "-Eq. (4), in [0, 1]");
-  list_fields(tally, {"length", "priority"});
+  options_class<ltp::PenaltyWeights>(m, "PenaltyWeights", "W_L and W_P of Eq. (5).")
+      .field("length", &ltp::PenaltyWeights::length,
+             "W_L, of the length over the direct length; >= 0")
+      .field("priority", &ltp::PenaltyWeights::priority,
+             "W_P, of the mean priority along the path; >= 0");
+
+  Fields<ltp::PathTally>(m, "PathTally", "The two integrals along a path that Eq. (5) is made of.")
+      .result("length", &ltp::PathTally::length, "L, Eq. (2) [m]")
+      .result("priority", &ltp::PathTally::priority,
+              "integral of the priority along the path, Eq. (4) [m]")
+      .bound()
+      .def(py::init([](double length, double priority) {
+             return ltp::PathTally{length, priority};
+           }),
+           py::kw_only(), "length"_a = 0.0, "priority"_a = 0.0)
+      .def_property_readonly("mean_priority", &ltp::PathTally::mean_priority,
+                             "-Eq. (4), in [0, 1]");
   m.def(
       "tally",
       [](const ltp::PathRef& path, const ltp::Raster& priority) {
@@ -25,10 +33,18 @@ void bind_cost(py::module_& m) {
       "cell of its raster.");
   m.def(
       "penalty",
+      [](const ltp::PathTally& sums, double direct_length, const ltp::PenaltyWeights& weights) {
+        return ltp::Penalty(weights, direct_length)(sums);
+      },
+      "tally"_a, "direct_length"_a, "weights"_a = ltp::PenaltyWeights{},
+      "Eq. (5): weights.length * L / direct_length - weights.priority * mean priority.");
+  m.def(
+      "penalty",
       [](const ltp::PathTally& sums, double direct_length, double length_weight,
          double priority_weight) {
+        warn_deprecated("penalty(length_weight=, priority_weight=): use weights=PenaltyWeights()");
         return ltp::Penalty({length_weight, priority_weight}, direct_length)(sums);
       },
       "tally"_a, "direct_length"_a, "length_weight"_a = 0.5, "priority_weight"_a = 1.0,
-      "Eq. (5): length_weight * L / direct_length - priority_weight * mean priority.");
+      "Deprecated: give `weights`.");
 }

@@ -4,6 +4,7 @@
 #include <pybind11/numpy.h>
 
 #include "bindings.hpp"
+#include "borrowed.hpp"
 #include "ltp/grid/frame.hpp"
 #include "ltp/grid/occupancy_grid.hpp"
 #include "ltp/grid/raster.hpp"
@@ -86,9 +87,7 @@ py::array raster_view(py::object self) {
   return view;
 }
 
-}  // namespace
-
-void bind_grid(py::module_& m) {
+void bind_frame(py::module_& m) {
   py::class_<ltp::GridFrame>(
       m, "GridFrame",
       "Where a grid of box-shaped cells lies in the world. Cell (i, j, k) covers\n"
@@ -128,7 +127,9 @@ void bind_grid(py::module_& m) {
              << ", " << frame.ny() << ", " << frame.nz() << "))";
         return text.str();
       });
+}
 
+void bind_raster(py::module_& m) {
   py::class_<ltp::Raster>(
       m, "Raster",
       "A scalar field over the ground - heights [m] or priority in [0, 1] - constant on each\n"
@@ -158,7 +159,9 @@ void bind_grid(py::module_& m) {
           },
           "a"_a, "b"_a,
           "Exact integral of the field along the segment a-b, (3,) each, over its 3-D length [m].");
+}
 
+void bind_occupancy(py::module_& m) {
   py::class_<ltp::OccupancyGrid>(
       m, "OccupancyGrid", "Which cells are blocked, one bit a cell. A cell never set is free.")
       .def(py::init<const ltp::GridFrame&>(), "frame"_a, "An empty grid.")
@@ -182,10 +185,10 @@ void bind_grid(py::module_& m) {
           "bool (N,): whether the cells that hold points (N, 3) [m] are blocked; False outside.")
       .def(
           "roll",
-          [](ltp::OccupancyGrid& grid, const Integers& shift) { grid.roll(cell_from(shift)); },
+          [](ltp::OccupancyGrid& grid, const Integers& shift) { own(grid).roll(cell_from(shift)); },
           "shift"_a,
           "Moves the window by whole cells (three integers); what leaves is forgotten, what enters "
-          "is free.")
+          "is free. ValueError for a grid that belongs to a map.")
       .def(
           "first_blocked",
           [](const ltp::OccupancyGrid& grid, const ltp::PathRef& path, double from_arc_length) {
@@ -196,4 +199,12 @@ void bind_grid(py::module_& m) {
           "Arc length [m] at which a path (N, 3) first touches a blocked cell, exactly; None if it "
           "touches none.")
       .def("__eq__", &ltp::OccupancyGrid::operator==, "other"_a, py::is_operator());
+}
+
+}  // namespace
+
+void bind_grid(py::module_& m) {
+  bind_frame(m);
+  bind_raster(m);
+  bind_occupancy(m);
 }

@@ -4,6 +4,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "bindings.hpp"
+#include "borrowed.hpp"
 #include "ltp/mapping/obstacle_map.hpp"
 
 namespace {
@@ -14,48 +15,48 @@ using FilePath = std::filesystem::path;
 
 ltp::InsertStatistics insert(Map& map, const ltp::Point& origin, const ltp::PathRef& hits,
                              const std::optional<ltp::PathRef>& misses) {
+  own(map);
   const py::gil_scoped_release release;
   return misses ? map.insert(origin, hits, *misses) : map.insert(origin, hits);
 }
 
+void load(Map& map, const FilePath& path) {
+  own(map);
+  const py::gil_scoped_release release;
+  map.load(path.string());
+}
+
 void bind_options(py::module_& m) {
-  auto options = py::class_<Options>(m, "ObstacleMapOptions", "Settings of the obstacle map.");
-  options.def(py::init(&from_keywords<Options>))
-      .def_readwrite("cell", &Options::cell,
-                     "(3,), edges of a planning cell [m], multiples of the smallest one")
-      .def_readwrite("dims", &Options::dims, "planning cells along x, y, z")
-      .def_readwrite("inflation_radius", &Options::inflation_radius,
-                     "a cell this near to an occupied cell is blocked [m]; 0: only those occupied")
-      .def_readwrite("max_range", &Options::max_range,
-                     "a hit at or beyond this distance from the scan's origin marks nothing [m]")
-      .def_readwrite("carve_free_space", &Options::carve_free_space,
-                     "learn from what rays passed, too")
-      .def_readwrite("keep_hits", &Options::keep_hits,
-                     "only with carving: rays that pass an occupied voxel say nothing about it")
-      .def_readwrite("hit_log_odds", &Options::hit_log_odds, "added to a voxel by a hit, > 0")
-      .def_readwrite("miss_log_odds", &Options::miss_log_odds, "added by a ray that passes, < 0")
-      .def_readwrite("min_log_odds", &Options::min_log_odds, "clamping, < 0")
-      .def_readwrite("max_log_odds", &Options::max_log_odds, "clamping, > 0")
-      .def("check", &Options::check, "Raises `ValueError` that names the field.");
-  list_fields(options,
-              {"cell", "dims", "inflation_radius", "max_range", "carve_free_space", "keep_hits",
-               "hit_log_odds", "miss_log_odds", "min_log_odds", "max_log_odds"});
+  options_class<Options>(m, "ObstacleMapOptions", "Settings of the obstacle map.")
+      .field("cell", &Options::cell,
+             "(3,), edges of a planning cell [m], multiples of the smallest one")
+      .field("dims", &Options::dims, "planning cells along x, y, z")
+      .field("inflation_radius", &Options::inflation_radius,
+             "a cell this near to an occupied cell is blocked [m]; 0: only those occupied")
+      .field("max_range", &Options::max_range,
+             "a hit at or beyond this distance from the scan's origin marks nothing [m]")
+      .field("carve_free_space", &Options::carve_free_space, "learn from what rays passed, too")
+      .field("keep_hits", &Options::keep_hits,
+             "only with carving: rays that pass an occupied voxel say nothing about it")
+      .field("hit_log_odds", &Options::hit_log_odds, "added to a voxel by a hit, > 0")
+      .field("miss_log_odds", &Options::miss_log_odds, "added by a ray that passes, < 0")
+      .field("min_log_odds", &Options::min_log_odds, "clamping, < 0")
+      .field("max_log_odds", &Options::max_log_odds, "clamping, > 0");
 }
 
 void bind_statistics(py::module_& m) {
   using Statistics = ltp::InsertStatistics;
-  auto statistics = py::class_<Statistics>(m, "InsertStatistics",
-                                           "What became of a scan's points, and of the map.");
-  statistics.def_readonly("marked", &Statistics::marked, "hits that fell into the window")
-      .def_readonly("outside", &Statistics::outside, "hits beyond the window")
-      .def_readonly("out_of_range", &Statistics::out_of_range,
-                    "hits at or beyond the maximum range: treated as misses")
-      .def_readonly("invalid", &Statistics::invalid, "hits or misses that are not finite: ignored")
-      .def_readonly("new_cells", &Statistics::new_cells, "planning cells that became occupied")
-      .def_readonly("erased_cells", &Statistics::erased_cells,
-                    "planning cells that became free by carving");
-  list_fields(statistics,
-              {"marked", "outside", "out_of_range", "invalid", "new_cells", "erased_cells"});
+  Fields<Statistics>(m, "InsertStatistics", "What became of a scan's points, and of the map.")
+      .result("marked", &Statistics::marked, "hits that fell into the window")
+      .result("outside", &Statistics::outside, "hits beyond the window")
+      .result("out_of_range", &Statistics::out_of_range,
+              "hits at or beyond the map's maximum range: treated as misses; many of them, and the "
+              "sensor sees\n"
+              "farther than the map was told")
+      .result("invalid", &Statistics::invalid, "hits or misses that are not finite: ignored")
+      .result("new_cells", &Statistics::new_cells, "planning cells that became occupied")
+      .result("erased_cells", &Statistics::erased_cells,
+              "planning cells that became free by carving");
 }
 
 }  // namespace
@@ -70,7 +71,8 @@ void bind_mapping(py::module_& m) {
                   "cells the view: a cell is\n"
                   "occupied if any voxel in it is, blocked if within the inflation radius of an "
                   "occupied one. Use a map from\n"
-                  "one thread at a time.")
+                  "one thread at a time. The map of a planner is read-only: what would change it "
+                  "raises ValueError.")
       .def(py::init<const Options&, const ltp::Point&>(), "options"_a = Options{},
            "centre"_a = ltp::Point(0, 0, 0),
            "centre: (3,), of the window, world [m]. ValueError names the option that is wrong.")
@@ -82,6 +84,9 @@ void bind_mapping(py::module_& m) {
       .def_property_readonly("voxels", &Map::voxels, view,
                              "occupied voxels; a view that follows the map")
       .def_property_readonly("voxel_size", &Map::voxel_size, "edge of a voxel [m]")
+      .def_property_readonly("version", &Map::version,
+                             "grows, from 0, whenever planning cells become occupied or free: by a "
+                             "scan, a file or `clear`")
       .def("insert", &insert, "origin"_a, py::arg("hits").noconvert(),
            py::arg("misses").noconvert() = py::none(),
            "Adds a scan: where its rays began (3,), where they hit (N, 3) and, for carving, where "
@@ -89,22 +94,23 @@ void bind_mapping(py::module_& m) {
            "return ended (M, 3); world [m], C-ordered float64. Points that are not finite, out of "
            "range or outside the\n"
            "window are counted, never an error. Returns InsertStatistics.")
-      .def("recentre", &Map::recentre, "centre"_a,
-           "Centres the window on a point (3,) [m]; what leaves is forgotten. Returns the shift in "
-           "cells, (3,) int.")
-      .def("clear", &Map::clear, "Forgets everything.")
+      .def(
+          "recentre", [](Map& map, const ltp::Point& centre) { return own(map).recentre(centre); },
+          "centre"_a,
+          "Centres the window on a point (3,) [m]; what leaves is forgotten. Returns the shift in "
+          "cells, (3,) int.")
+      .def(
+          "clear", [](Map& map) { own(map).clear(); }, "Forgets everything.")
       .def("log_odds_at", &Map::log_odds_at, "point"_a,
            "Log-odds of the voxel at a point (3,) [m]; 0 where nothing is known.")
       .def(
           "save", [](const Map& map, const FilePath& path) { map.save(path.string()); }, "path"_a,
           py::call_guard<py::gil_scoped_release>(),
           "Writes OctoMap's `.bt` (occupied or free) or `.ot` (log-odds), atomically.")
-      .def(
-          "load", [](Map& map, const FilePath& path) { map.load(path.string()); }, "path"_a,
-          py::call_guard<py::gil_scoped_release>(),
-          "Adds what a `.bt` or `.ot` file of the same voxel size knows about the window. "
-          "ValueError names the file; the\n"
-          "map then stays as it was.");
+      .def("load", &load, "path"_a,
+           "Adds what a `.bt` or `.ot` file of the same voxel size knows about the window. "
+           "ValueError names the file; the\n"
+           "map then stays as it was.");
 
   m.def("inflate", &ltp::inflate, "grid"_a, "radius"_a, py::call_guard<py::gil_scoped_release>(),
         "The grid with every cell blocked whose box is within `radius` [m] of the box of a blocked "

@@ -13,4 +13,5 @@ PYBIND11_MODULE(_core, m) {
   bind_mapping(m);
   bind_planning(m);
   bind_navigation(m);
+  bind_old_names(m);
 }

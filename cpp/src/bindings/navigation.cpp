@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ltp authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Floor 4 in Python: the local trajectory planner that flies, on one thread or on two.
+#include <pybind11/stl/filesystem.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -8,12 +10,14 @@
 #include "interrupt.hpp"
 #include "ltp/navigation/concurrent_trajectory_planner.hpp"
 #include "ltp/navigation/local_trajectory_planner.hpp"
+#include "ltp/planning/planners.hpp"
 
 namespace {
 
 using Ltp = ltp::LocalTrajectoryPlanner;
 using Concurrent = ltp::ConcurrentTrajectoryPlanner;
 using Band = std::pair<double, double>;
+using FilePath = std::filesystem::path;
 
 template <typename Kind>
 std::unique_ptr<Kind> make(const ltp::Raster& priority, const ltp::Point& position,
@@ -52,21 +56,17 @@ bool wait(Concurrent& self, double seconds) {
 
 void bind_concurrent(py::module_& m) {
   const py::call_guard<py::gil_scoped_release> released;
-  auto decision = py::class_<ltp::Decision>(m, "Decision",
-                                            "What the planning thread decided on one scan's map.");
-  decision
-      .def_readonly("scan", &ltp::Decision::scan,
-                    "number of the last scan that it knows, from 1; 0: none yet")
-      .def_readonly("status", &ltp::Decision::status)
-      .def_property_readonly(
+  Fields<ltp::Decision>(m, "Decision", "What the planning thread decided on one scan's map.")
+      .result("scan", &ltp::Decision::scan,
+              "number of the last scan that it knows, from 1; 0: none yet")
+      .result("status", &ltp::Decision::status, "what to do")
+      .result(
           "path", [](const ltp::Decision& d) { return d.path; }, "(N, 3), the path to follow [m]")
-      .def_readonly("path_id", &ltp::Decision::path_id, "as long as it stands, so does `path`")
-      .def_readonly("waypoint_index", &ltp::Decision::waypoint_index, "the waypoint flown to")
-      .def_readonly("events", &ltp::Decision::events, "reached and dropped waypoints, in order")
-      .def_readonly("plans", &ltp::Decision::plans, "the planner's answers when it was last asked")
-      .def_readonly("plans_made", &ltp::Decision::plans_made, "since the beginning");
-  list_fields(decision, {"scan", "status", "path", "path_id", "waypoint_index", "events", "plans",
-                         "plans_made"});
+      .result("path_id", &ltp::Decision::path_id, "as long as it stands, so does `path`")
+      .result("waypoint_index", &ltp::Decision::waypoint_index, "the waypoint flown to")
+      .result("events", &ltp::Decision::events, "reached and dropped waypoints, in order")
+      .result("plans", &ltp::Decision::plans, "the planner's answers when it was last asked")
+      .result("plans_made", &ltp::Decision::plans_made, "since the beginning");
 
   py::class_<Concurrent>(m, "ConcurrentTrajectoryPlanner",
                          "A LocalTrajectoryPlanner whose scans never wait for a plan: it plans on "
@@ -79,10 +79,18 @@ void bind_concurrent(py::module_& m) {
            "As a LocalTrajectoryPlanner's.")
       .def("set_waypoints", &Concurrent::set_waypoints, "waypoints"_a,
            "Replaces what is left of the global path from the next scan on; (N, 3), world [m].")
+      .def("set_priority", &Concurrent::set_priority, "priority"_a,
+           "Another Raster in [0, 1], from the next scan on; until then there is no path.")
       .def("sense", &Concurrent::sense, "origin"_a, "hits"_a, "misses"_a = ltp::Path(0, 3),
            released,
            "Adds a scan, as LocalTrajectoryPlanner does, and hands the map over to be planned on; "
            "the UAV is at its origin.")
+      .def(
+          "load_map", [](Concurrent& self, const FilePath& path) { self.load_map(path.string()); },
+          "path"_a, released,
+          "As LocalTrajectoryPlanner's; the map is handed over to be planned on at once.")
+      .def("clear_map", &Concurrent::clear_map, released,
+           "As LocalTrajectoryPlanner's; the map is handed over to be planned on at once.")
       .def("start", &Concurrent::start, "Begins the planning thread.")
       .def("stop", &Concurrent::stop, released,
            "Ends the planning thread; interrupts a long search.")
@@ -91,7 +99,7 @@ void bind_concurrent(py::module_& m) {
           "Decides on the newest map, in the calling thread: instead of `start`. Whether there was "
           "a new one.")
       .def("wait", &wait, "seconds"_a = std::numeric_limits<double>::infinity(),
-           "Returns when the planning thread has decided on the last scan, or after so long [s]; "
+           "Returns when the planning thread has decided on the newest map, or after so long [s]; "
            "whether it has. Raises\n"
            "what it has raised.")
       .def_property_readonly("decision", &Concurrent::decision, py::return_value_policy::copy,
@@ -101,37 +109,36 @@ void bind_concurrent(py::module_& m) {
                              "blocks it [m]; None if it is free")
       .def_property_readonly("scans", &Concurrent::scans, "sensed so far")
       .def_property_readonly("waypoints", &Concurrent::waypoints, py::return_value_policy::copy)
-      .def_property_readonly("map", &Concurrent::map, py::return_value_policy::reference_internal);
+      .def_property_readonly("map", &Concurrent::map, py::return_value_policy::reference_internal,
+                             "a read-only view: see `load_map` and `clear_map`");
 }
 
-}  // namespace
-
-void bind_navigation(py::module_& m) {
-  auto options = py::class_<ltp::NavigationOptions>(
-      m, "NavigationOptions", "When a waypoint is reached, a path left, a height allowed.");
-  options.def(py::init(&from_keywords<ltp::NavigationOptions>))
-      .def("check", &ltp::NavigationOptions::check, "Raises `ValueError` that names the field.")
-      .def_property(
+void bind_options(py::module_& m) {
+  options_class<ltp::NavigationOptions>(
+      m, "NavigationOptions", "When a waypoint is reached, a path left, a height allowed.")
+      .field(
           "band", [](const ltp::NavigationOptions& o) { return Band(o.band.below, o.band.above); },
           [](ltp::NavigationOptions& o, const Band& band) {
             o.band = {band.first, band.second};
           },
           "(below, above): how far to leave the altitudes of UAV and waypoint [m]; (0, 0) is "
           "planar flight")
-      .def_readwrite(
-          "reach_distance", &ltp::NavigationOptions::reach_distance,
-          "a waypoint is reached within it, horizontally [m]; 0: one horizontal cell diagonal")
-      .def_readwrite(
-          "leave_distance", &ltp::NavigationOptions::leave_distance,
-          "farther from its path the UAV has left it [m]; 0: one horizontal cell diagonal")
-      .def_readwrite("escape_distance", &ltp::NavigationOptions::escape_distance,
-                     "how far to look for a free cell when standing in a blocked one [m]")
-      .def_readwrite("memory_widths", &ltp::NavigationOptions::memory_widths,
-                     "how many windows wide the memory is from which proofs are drawn; 1 where "
-                     "obstacles move");
-  list_fields(options,
-              {"band", "reach_distance", "leave_distance", "escape_distance", "memory_widths"});
+      .field("reach_distance", &ltp::NavigationOptions::reach_distance,
+             "a waypoint is reached within it, horizontally [m]; 0: one horizontal cell diagonal")
+      .field("leave_distance", &ltp::NavigationOptions::leave_distance,
+             "farther from its path the UAV has left it [m]; 0: one horizontal cell diagonal")
+      .field("escape_distance", &ltp::NavigationOptions::escape_distance,
+             "how far to look for a free cell when standing in a blocked one [m]")
+      .field("max_expansions", &ltp::NavigationOptions::max_expansions,
+             "of a plan, see `Budget`; 0: no limit")
+      .field("time_limit", &ltp::NavigationOptions::time_limit,
+             "of a plan, see `Budget` [s]; 0: no limit")
+      .field("memory_widths", &ltp::NavigationOptions::memory_widths,
+             "how many windows wide the memory is from which proofs are drawn; 1 where "
+             "obstacles move");
+}
 
+void bind_results(py::module_& m) {
   py::enum_<ltp::NavigationStatus>(m, "NavigationStatus",
                                    "What the local trajectory planner is doing.")
       .value("FINISHED", ltp::NavigationStatus::Finished, "no waypoint is left")
@@ -143,23 +150,22 @@ void bind_navigation(py::module_& m) {
       .def_property_readonly("label",
                              [](ltp::NavigationStatus status) { return ltp::to_string(status); });
 
-  auto event = py::class_<ltp::WaypointEvent>(m, "WaypointEvent", "What became of a waypoint.");
-  event.def_readonly("index", &ltp::WaypointEvent::index)
-      .def_readonly("reached", &ltp::WaypointEvent::reached, "True: reached; False: dropped")
-      .def_readonly("reason", &ltp::WaypointEvent::reason,
-                    "why it was dropped: GOAL_BLOCKED or UNREACHABLE")
-      .def_readonly("position", &ltp::WaypointEvent::position, "(3,), of the UAV [m]")
-      .def_readonly("goal", &ltp::WaypointEvent::goal, "(3,), the waypoint [m]")
-      .def_readonly("window_origin", &ltp::WaypointEvent::window_origin,
-                    "(3,), of the map's window [m]");
-  list_fields(event, {"index", "reached", "reason", "position", "goal", "window_origin"});
+  Fields<ltp::WaypointEvent>(m, "WaypointEvent", "What became of a waypoint.")
+      .result("index", &ltp::WaypointEvent::index, "of the waypoint, from 0")
+      .result("reached", &ltp::WaypointEvent::reached, "True: reached; False: dropped")
+      .result("reason", &ltp::WaypointEvent::reason,
+              "why it was dropped: GOAL_BLOCKED or UNREACHABLE")
+      .result("position", &ltp::WaypointEvent::position, "(3,), of the UAV [m]")
+      .result("goal", &ltp::WaypointEvent::goal, "(3,), the waypoint [m]")
+      .result("window_origin", &ltp::WaypointEvent::window_origin, "(3,), of the map's window [m]");
 
-  auto answer = py::class_<ltp::PlanRecord>(m, "PlanRecord", "One answer of the planner.");
-  answer.def_readonly("waypoint", &ltp::PlanRecord::waypoint, "for which it was asked")
-      .def_readonly("direct_length", &ltp::PlanRecord::direct_length, "L_direct of the query [m]")
-      .def_readonly("plan", &ltp::PlanRecord::plan);
-  list_fields(answer, {"waypoint", "direct_length", "plan"});
+  Fields<ltp::PlanRecord>(m, "PlanRecord", "One answer of the planner.")
+      .result("waypoint", &ltp::PlanRecord::waypoint, "for which it was asked")
+      .result("direct_length", &ltp::PlanRecord::direct_length, "L_direct of the query [m]")
+      .result("plan", &ltp::PlanRecord::plan, "the answer");
+}
 
+void bind_local(py::module_& m) {
   py::class_<Ltp>(m, "LocalTrajectoryPlanner",
                   "The loop that flies: waypoints, scans and poses in; plan and status out. "
                   "Replans when the path is\n"
@@ -176,6 +182,13 @@ void bind_navigation(py::module_& m) {
            "Adds a scan: where its rays began (3,), where they hit (N, 3), and, for carving, where "
            "those without a\n"
            "return ended (M, 3); world [m].")
+      .def(
+          "load_map", [](Ltp& self, const FilePath& path) { self.load_map(path.string()); },
+          "path"_a, py::call_guard<py::gil_scoped_release>(),
+          "Adds what a `.bt` or `.ot` file knows about the window, as ObstacleMap.load does; the "
+          "next update plans on it.")
+      .def("clear_map", &Ltp::clear_map,
+           "Forgets all obstacles, those beyond the window too; the next update plans on it.")
       .def("update", &update, "position"_a, "Decides what to do at a position (3,) [m].")
       .def_property_readonly("status", &Ltp::status)
       .def_property_readonly("path", &Ltp::path, py::return_value_policy::copy,
@@ -189,8 +202,15 @@ void bind_navigation(py::module_& m) {
       .def_property_readonly("events_count", [](const Ltp& self) { return self.events().size(); })
       .def_property_readonly("waypoint_index", &Ltp::waypoint_index, "the waypoint flown to")
       .def_property_readonly("waypoints", &Ltp::waypoints, py::return_value_policy::copy)
-      .def_property_readonly("map", py::overload_cast<>(&Ltp::map),
-                             py::return_value_policy::reference_internal);
+      .def_property_readonly("map", &Ltp::map, py::return_value_policy::reference_internal,
+                             "a read-only view: see `load_map` and `clear_map`");
+}
 
+}  // namespace
+
+void bind_navigation(py::module_& m) {
+  bind_options(m);
+  bind_results(m);
+  bind_local(m);
   bind_concurrent(m);
 }

@@ -5,53 +5,60 @@
 
 #include "bindings.hpp"
 #include "interrupt.hpp"
-#include "ltp/planning/distance_field.hpp"
-#include "ltp/planning/flood.hpp"
-#include "ltp/planning/grid_query.hpp"
-#include "ltp/planning/pareto.hpp"
-#include "ltp/planning/planner.hpp"
+#include "ltp/planning/grid_planner.hpp"
+#include "ltp/planning/planners.hpp"
+#include "planning/search/distance_field.hpp"
+#include "planning/search/flood.hpp"
 
 namespace {
+
+/// The planner of a name; an old name warns.
+const ltp::PlannerInfo& planner_info(const std::string& name) {
+  const ltp::PlannerInfo& info = ltp::planner_info(name);
+  if (info.name != name) {
+    warn_deprecated("the planner '" + name + "' is now '" + std::string(info.name) +
+                    "'; the old name goes with the next release");
+  }
+  return info;
+}
+
+/// Calls with a budget that Ctrl-C ends too, while other threads run.
+template <typename Call>
+auto watched(ltp::Budget budget, Call&& call) {
+  budget.interrupted = SignalWatch();
+  auto answer = [&] {
+    const py::gil_scoped_release release;
+    return call(budget);
+  }();
+  raise_pending_signal();
+  return answer;
+}
 
 /// A planner keeps scratch memory, and `plan` lets other threads run: they take turns.
 class SharedPlanner {
  public:
   SharedPlanner(const std::string& name, const ltp::PlannerOptions& options)
-      : planner_(ltp::make_planner(name, options)) {}
+      : planner_(ltp::make_planner(planner_info(name).name, options)), exact_(options.exact) {}
 
-  const ltp::Planner& planner() const { return *planner_; }
+  const ltp::PlannerInfo& info() const { return planner_->info(); }
 
-  ltp::Plan plan(const ltp::Scene& scene, ltp::Query query) {
-    query.interrupted = SignalWatch();
-    ltp::Plan plan;
-    {
-      const py::gil_scoped_release release;
+  ltp::Plan plan(const ltp::Scene& scene, const ltp::Query& query, const ltp::Budget& budget) {
+    return watched(budget, [&](const ltp::Budget& limits) {
       const std::lock_guard<std::mutex> turn(turn_);
-      plan = planner_->plan(scene, query);
-    }
-    raise_pending_signal();
-    return plan;
+      return planner_->plan(scene, query, limits);
+    });
   }
 
-  ltp::Front front(const ltp::Scene& scene, ltp::Query query, double eps) {
-    auto* const pareto = dynamic_cast<ltp::ParetoPlanner*>(planner_.get());
-    if (pareto == nullptr) {
-      throw std::invalid_argument("planner = '" + std::string(planner_->name()) +
-                                  "': expected 'pareto', the only one that has a front");
-    }
-    query.interrupted = SignalWatch();
-    ltp::Front front;
-    {
-      const py::gil_scoped_release release;
-      const std::lock_guard<std::mutex> turn(turn_);
-      front = pareto->front(scene, query, eps);
-    }
-    raise_pending_signal();
-    return front;
+  ltp::Front front(const ltp::Scene& scene, const ltp::Query& query, double eps) const {
+    warn_deprecated("`planner.front` is now `ltp.pareto_front`");
+    return watched({}, [&](const ltp::Budget& limits) {
+      return ltp::pareto_front(scene, query, {exact_.memory, eps}, limits);
+    });
   }
 
  private:
   std::unique_ptr<ltp::Planner> planner_;
+  ltp::ExactOptions exact_;
   std::mutex turn_;
 };
 
@@ -60,7 +67,7 @@ using Band = std::pair<double, double>;
 ltp::AltitudeBand band_of(const Band& band) { return {band.first, band.second}; }
 
 ltp::Query make_query(const ltp::Point& start, const ltp::Point& goal, const Band& band) {
-  return {start, goal, band_of(band), nullptr};
+  return {start, goal, band_of(band)};
 }
 
 void bind_values(py::module_& m) {
@@ -96,27 +103,28 @@ void bind_values(py::module_& m) {
       .value("OUT_OF_BUDGET", ltp::PlanStatus::OutOfBudget, "the caller's limit was reached first")
       .def("__bool__", &no_truth_value<ltp::PlanStatus>);
 
-  auto stats = py::class_<ltp::SearchStats>(m, "SearchStats", "What a search did.");
-  stats.def_readonly("expanded", &ltp::SearchStats::expanded, "cells (or curves) examined")
-      .def_readonly("pushed", &ltp::SearchStats::pushed, "entries that went into the open list")
-      .def_readonly("seconds", &ltp::SearchStats::seconds, "wall time [s]");
-  list_fields(stats, {"expanded", "pushed", "seconds"});
+  Fields<ltp::SearchStats>(m, "SearchStats", "What a search did.")
+      .result("expanded", &ltp::SearchStats::expanded, "cells (or curves) examined")
+      .result("pushed", &ltp::SearchStats::pushed, "entries that went into the open list")
+      .result("seconds", &ltp::SearchStats::seconds, "wall time [s]");
 
-  auto plan = py::class_<ltp::Plan>(m, "Plan", "A planner's answer.");
-  plan.def_readonly("status", &ltp::Plan::status)
+  // Without the paths, which a repr has no room for.
+  Fields<ltp::Plan>(m, "Plan", "A planner's answer.")
+      .result("status", &ltp::Plan::status, "how it ended")
+      .result("tally", &ltp::Plan::tally, "length and priority integral of the path")
+      .result("penalty", &ltp::Plan::penalty, "Eq. (5); inf unless FOUND")
+      .result("bound", &ltp::Plan::bound,
+              "no path through cell centres has a smaller penalty (a refined one may); None "
+              "without a proof")
+      .result("stats", &ltp::Plan::stats, "what the search did")
+      .bound()
       .def_readonly("path", &ltp::Plan::path,
-                    "(N, 3), start ... goal, world [m]; empty unless FOUND")
-      .def_readonly("tally", &ltp::Plan::tally, "length and priority integral of the path")
-      .def_readonly("penalty", &ltp::Plan::penalty, "Eq. (5); inf unless FOUND")
-      .def_readonly("bound", &ltp::Plan::bound,
-                    "no path through cell centres has a smaller penalty (a refined one may); None "
-                    "without a proof")
-      .def_readonly("stats", &ltp::Plan::stats);
-  list_fields(plan, {"status", "tally", "penalty", "bound", "stats"});
+                    "(N, 3), start ... goal, world [m]; empty unless FOUND");
 
-  auto front = py::class_<ltp::Front>(
-      m, "Front", "The paths of which none is both shorter and over better ground.");
-  front.def_readonly("status", &ltp::Front::status)
+  Fields<ltp::Front>(m, "Front", "The paths of which none is both shorter and over better ground.")
+      .result("status", &ltp::Front::status, "how it ended")
+      .result("stats", &ltp::Front::stats, "what the search did")
+      .bound()
       .def_property_readonly(
           "tallies",
           [](const ltp::Front& self) {
@@ -129,104 +137,109 @@ void bind_values(py::module_& m) {
           },
           "(k, 2): length and priority integral of each path [m], by rising length; empty unless "
           "FOUND")
-      .def_readonly("paths", &ltp::Front::paths, "k arrays (N, 3), start ... goal, world [m]")
-      .def_readonly("stats", &ltp::Front::stats);
-  list_fields(front, {"status", "stats"});
+      .def_readonly("paths", &ltp::Front::paths, "k arrays (N, 3), start ... goal, world [m]");
 }
 
 void bind_options(py::module_& m) {
-  auto bezier =
-      py::class_<ltp::BezierOptions>(m, "BezierOptions", "The Bezier planner's exhaustive search.");
-  bezier.def(py::init(&from_keywords<ltp::BezierOptions>))
-      .def_readwrite("offsets", &ltp::BezierOptions::offsets,
-                     "M, offsets tried for each control point; odd")
-      .def_readwrite("reach", &ltp::BezierOptions::reach, "largest sideways offset [m]")
-      .def_readwrite("z_offsets", &ltp::BezierOptions::z_offsets, "offsets tried in height; odd")
-      .def_readwrite("z_reach", &ltp::BezierOptions::z_reach, "largest offset in height [m]")
-      .def_readwrite("segments", &ltp::BezierOptions::segments, "straight pieces of the curve");
-  list_fields(bezier, {"offsets", "reach", "z_offsets", "z_reach", "segments"});
+  options_class<ltp::BezierOptions>(m, "BezierOptions", "The Bezier planner's exhaustive search.")
+      .field("offsets", &ltp::BezierOptions::offsets,
+             "M, offsets tried for each control point; odd")
+      .field("reach", &ltp::BezierOptions::reach, "largest sideways offset [m]")
+      .field("z_offsets", &ltp::BezierOptions::z_offsets, "offsets tried in height; odd")
+      .field("z_reach", &ltp::BezierOptions::z_reach, "largest offset in height [m]")
+      .field("segments", &ltp::BezierOptions::segments, "straight pieces of the curve");
 
-  auto linearised = py::class_<ltp::LinearisedOptions>(
-      m, "LinearisedOptions", "The additive searches of `additive` and `sweep`.");
-  linearised.def(py::init(&from_keywords<ltp::LinearisedOptions>))
-      .def_readwrite("alpha", &ltp::LinearisedOptions::alpha,
-                     "of the first search; 0: from the weights")
-      .def_readwrite("tolerance", &ltp::LinearisedOptions::tolerance,
-                     "of Eq. (5): `sweep` stops when path and bound are this close")
-      .def_readwrite("searches", &ltp::LinearisedOptions::searches, "that `sweep` makes at most")
-      .def_readwrite("effort", &ltp::LinearisedOptions::effort,
-                     "expansions that `sweep` may spend after its first path; 0: no limit")
-      .def_readwrite("closing", &ltp::LinearisedOptions::closing,
-                     "labels and cells that `sweep` may spend on closing the gap that is left");
-  list_fields(linearised, {"alpha", "tolerance", "searches", "effort", "closing"});
+  options_class<ltp::LinearisedOptions>(m, "LinearisedOptions",
+                                        "The searches of `additive`, `sweep` and `auto`.")
+      .field("alpha", &ltp::LinearisedOptions::alpha, "of the first search; 0: from the weights")
+      .field("tolerance", &ltp::LinearisedOptions::tolerance,
+             "of Eq. (5): ends when path and bound are this close")
+      .field("searches", &ltp::LinearisedOptions::searches, "at most (`additive`: one)")
+      .field("effort", &ltp::LinearisedOptions::effort,
+             "expansions that may be spent, see `whole_first`; 0: no limit (`auto`: 20,000)")
+      .field("whole_first", &ltp::LinearisedOptions::whole_first,
+             "`effort` counts from the first path on: that search is never cut")
+      .field("remember", &ltp::LinearisedOptions::remember,
+             "begins with the slope at the last path to the same goal")
+      .field("closing", &ltp::LinearisedOptions::closing,
+             "labels and cells that may be spent on closing the gap that is left (`auto`: none)");
 
-  auto pareto = py::class_<ltp::ParetoOptions>(m, "ParetoOptions", "The exact search of `pareto`.");
-  pareto.def(py::init(&from_keywords<ltp::ParetoOptions>))
-      .def_readwrite("memory", &ltp::ParetoOptions::memory,
-                     "for its labels; needing more is OUT_OF_BUDGET [MB]")
-      .def_readwrite("eps", &ltp::ParetoOptions::eps,
-                     "Eq. (5) + W_P p_max may be this part above its optimum");
-  list_fields(pareto, {"memory", "eps"});
+  options_class<ltp::ExactOptions>(m, "ExactOptions",
+                                   "The exact search of `exact`, and the Pareto front's.")
+      .field("memory", &ltp::ExactOptions::memory,
+             "for its labels; needing more is OUT_OF_BUDGET [MB]")
+      .field("eps", &ltp::ExactOptions::eps,
+             "Eq. (5) + W_P p_max may be this part above its optimum");
 
-  auto ara = py::class_<ltp::AraOptions>(m, "AraOptions", "The weights of `ara-star`.");
-  ara.def(py::init(&from_keywords<ltp::AraOptions>))
-      .def_readwrite("first_weight", &ltp::AraOptions::first_weight,
-                     "of the heuristic in the first round, 1 to 100")
-      .def_readwrite("step", &ltp::AraOptions::step,
-                     "by which it falls from round to round, to 1; >= 0.01");
-  list_fields(ara, {"first_weight", "step"});
+  options_class<ltp::AraOptions>(m, "AraOptions", "The weights of `ara-star`.")
+      .field("first_weight", &ltp::AraOptions::first_weight,
+             "of the heuristic in the first round, 1 to 100")
+      .field("step", &ltp::AraOptions::step,
+             "by which it falls from round to round, to 1; >= 0.01");
 
-  auto risk = py::class_<ltp::RiskOptions>(m, "RiskOptions", "The cost of `risk-a-star`.");
-  risk.def(py::init(&from_keywords<ltp::RiskOptions>))
-      .def_readwrite("length_factor", &ltp::RiskOptions::length_factor,
-                     "what a metre costs beside its risk (0 to 1 a metre); > 0");
-  list_fields(risk, {"length_factor"});
+  options_class<ltp::RiskOptions>(m, "RiskOptions", "The cost of `risk-a-star`.")
+      .field("length_factor", &ltp::RiskOptions::length_factor,
+             "what a metre costs beside its risk (0 to 1 a metre); > 0");
 
-  auto bug = py::class_<ltp::BugOptions>(m, "BugOptions", "The sensor of `bug`.");
-  bug.def(py::init(&from_keywords<ltp::BugOptions>))
-      .def_readwrite("range", &ltp::BugOptions::range,
-                     "how far it sees [m], >= 0; 0: only what it touches");
-  list_fields(bug, {"range"});
+  options_class<ltp::TangentBugOptions>(m, "TangentBugOptions", "The sensor of `tangent-bug`.")
+      .field("range", &ltp::TangentBugOptions::range,
+             "how far it sees [m], >= 0; 0: only what it touches");
 
-  auto hermite =
-      py::class_<ltp::HermiteOptions>(m, "HermiteOptions", "The optimised curve of `hermite`.");
-  hermite.def(py::init(&from_keywords<ltp::HermiteOptions>))
-      .def_readwrite("segments", &ltp::HermiteOptions::segments, "straight pieces of the curve")
-      .def_readwrite("starts", &ltp::HermiteOptions::starts,
-                     "sideways tangents tried at each end to begin with; odd")
-      .def_readwrite("reach", &ltp::HermiteOptions::reach, "the largest of them, in direct lengths")
-      .def_readwrite("refined", &ltp::HermiteOptions::refined,
-                     "the best so many of those curves are optimised")
-      .def_readwrite("iterations", &ltp::HermiteOptions::iterations,
-                     "rounds of the optimisation of each");
-  list_fields(hermite, {"segments", "starts", "reach", "refined", "iterations"});
+  options_class<ltp::HermiteOptions>(m, "HermiteOptions", "The optimised curve of `hermite`.")
+      .field("segments", &ltp::HermiteOptions::segments, "straight pieces of the curve")
+      .field("starts", &ltp::HermiteOptions::starts,
+             "sideways tangents tried at each end to begin with; odd")
+      .field("reach", &ltp::HermiteOptions::reach, "the largest of them, in direct lengths")
+      .field("refined", &ltp::HermiteOptions::refined,
+             "the best so many of those curves are optimised")
+      .field("iterations", &ltp::HermiteOptions::iterations, "rounds of the optimisation of each");
 
-  auto options =
-      py::class_<ltp::PlannerOptions>(m, "PlannerOptions", "What every planner can be told.");
-  options.def(py::init(&from_keywords<ltp::PlannerOptions>))
-      .def("check", &ltp::PlannerOptions::check, "Raises `ValueError` that names the field.")
-      .def_property(
-          "length_weight", [](const ltp::PlannerOptions& o) { return o.weights.length; },
-          [](ltp::PlannerOptions& o, double value) { o.weights.length = value; }, "W_L of Eq. (5)")
-      .def_property(
-          "priority_weight", [](const ltp::PlannerOptions& o) { return o.weights.priority; },
-          [](ltp::PlannerOptions& o, double value) { o.weights.priority = value; },
-          "W_P of Eq. (5)")
-      .def_readwrite("max_expansions", &ltp::PlannerOptions::max_expansions,
-                     "give up (OUT_OF_BUDGET) after so many; 0: no limit")
-      .def_readwrite("scaled_heuristic", &ltp::PlannerOptions::scaled_heuristic,
-                     "multiply Eq. (9) by W_L, which it lacks as printed")
-      .def_readwrite("refine", &ltp::PlannerOptions::refine,
-                     "free the path from the grid's directions; never a larger penalty")
-      .def_readwrite("bezier", &ltp::PlannerOptions::bezier)
-      .def_readwrite("linearised", &ltp::PlannerOptions::linearised)
-      .def_readwrite("pareto", &ltp::PlannerOptions::pareto)
-      .def_readwrite("ara", &ltp::PlannerOptions::ara)
-      .def_readwrite("risk", &ltp::PlannerOptions::risk)
-      .def_readwrite("bug", &ltp::PlannerOptions::bug)
-      .def_readwrite("hermite", &ltp::PlannerOptions::hermite);
-  list_fields(options, {"length_weight", "priority_weight", "max_expansions", "scaled_heuristic",
-                        "bezier", "linearised", "pareto", "ara", "risk", "bug", "hermite"});
+  options_class<ltp::PlannerOptions>(m, "PlannerOptions", "What every planner can be told.")
+      .field("weights", &ltp::PlannerOptions::weights, "W_L and W_P of Eq. (5)")
+      .field("scaled_heuristic", &ltp::PlannerOptions::scaled_heuristic,
+             "multiply Eq. (9) by W_L, which it lacks as printed")
+      .field("refine", &ltp::PlannerOptions::refine,
+             "free the path from the grid's directions; never a larger penalty")
+      .field("bezier", &ltp::PlannerOptions::bezier, "of `bezier`")
+      .field("linearised", &ltp::PlannerOptions::linearised, "of `additive`, `sweep` and `auto`")
+      .field("exact", &ltp::PlannerOptions::exact, "of `exact`")
+      .field("ara", &ltp::PlannerOptions::ara, "of `ara-star`")
+      .field("risk", &ltp::PlannerOptions::risk, "of `risk-a-star`")
+      .field("tangent_bug", &ltp::PlannerOptions::tangent_bug, "of `tangent-bug`")
+      .field("hermite", &ltp::PlannerOptions::hermite, "of `hermite`");
+
+  options_class<ltp::Budget>(m, "Budget",
+                             "What one plan may spend. A search that reaches a limit ends with "
+                             "OUT_OF_BUDGET, or with the best\n"
+                             "path that it has.")
+      .field("max_expansions", &ltp::Budget::max_expansions,
+             "cells, curves or labels examined, >= 0; 0: no limit")
+      .field("time_limit", &ltp::Budget::time_limit, "wall time [s], >= 0; 0: no limit");
+}
+
+void bind_registry(py::module_& m) {
+  using Info = ltp::PlannerInfo;
+  const auto trait = [](unsigned bits) {
+    return [bits](const Info& info) { return info.has(bits); };
+  };
+  Fields<Info>(m, "PlannerInfo", "What a planner is: a row of the registry.")
+      .result("name", &Info::name, "by which it is made")
+      .result("title", &Info::title, "as tables print it")
+      .result(
+          "family", [](const Info& info) { return ltp::to_string(info.family); },
+          "'paper': of the paper's tables; 'ours'; 'baseline': of other authors, to compare with")
+      .result("complete", trait(ltp::Trait::Complete), "its UNREACHABLE proves that no path exists")
+      .result("on_grid", trait(ltp::Trait::OnGrid), "its paths run through cell centres")
+      .result("anytime", trait(ltp::Trait::Anytime),
+              "out of budget, it answers with the best path so far")
+      .result("remembers", trait(ltp::Trait::Remembers),
+              "an answer may depend on what was asked before")
+      .result("uses_priority", trait(ltp::Trait::UsesPriority), "the priority map shapes its paths")
+      .result("bounds", trait(ltp::Trait::Bounds), "proves a lower bound of Eq. (5)");
+  m.def("planners", &ltp::planners, "All planners, in the order of the paper's tables.");
+  m.def("planner_info", &planner_info, "name"_a,
+        "The planner of a name; an old name warns. ValueError for an unknown one, listing those "
+        "known.");
 }
 
 /// The cells that a flood over faces reaches from a point, bool (nx, ny, nz).
@@ -236,7 +249,7 @@ py::array_t<bool> flood_fill(const ltp::OccupancyGrid& grid, const ltp::Query& q
   py::array_t<bool> out({frame.nx(), frame.ny(), frame.nz()});
   bool* reached = out.mutable_data();
   const py::gil_scoped_release release;
-  ltp::Flood flood;
+  ltp::planning::Flood flood;
   flood.fill(grid, frame.cell_of(query.start), ltp::levels_of(frame, query));
   for (int ix = 0; ix < frame.nx(); ++ix) {
     for (int iy = 0; iy < frame.ny(); ++iy) {
@@ -255,15 +268,15 @@ py::array_t<double> distance_field(const ltp::OccupancyGrid& grid, const ltp::Po
   py::array_t<double> out({frame.nx(), frame.ny(), frame.nz()});
   double* const distances = out.mutable_data();
   const auto [lowest, highest] = levels.value_or(Levels(0, frame.nz() - 1));
-  const std::function<bool()> interrupted = SignalWatch();
-  {
-    const py::gil_scoped_release release;
-    ltp::DistanceField field;
+  watched({}, [&, low = lowest, high = highest](const ltp::Budget& limits) {
+    ltp::planning::DistanceField field;
     ltp::SearchStats stats;
-    field.run(grid, frame.cell_of(source), {lowest, highest}, ltp::Budget(0, interrupted), stats);
+    ltp::BudgetWatch watch(limits);
+    const ltp::PlanStatus status =
+        field.run(grid, frame.cell_of(source), {low, high}, watch, stats);
     field.copy_to(distances);
-  }
-  raise_pending_signal();
+    return status;
+  });
   return out;
 }
 
@@ -272,25 +285,38 @@ py::array_t<double> distance_field(const ltp::OccupancyGrid& grid, const ltp::Po
 void bind_planning(py::module_& m) {
   bind_values(m);
   bind_options(m);
+  bind_registry(m);
   py::class_<SharedPlanner>(m, "Planner", "A local planner; made by `make_planner`.")
       .def(py::init<const std::string&, const ltp::PlannerOptions&>(), "name"_a,
            "options"_a = ltp::PlannerOptions{})
-      .def_property_readonly("name",
-                             [](const SharedPlanner& self) { return self.planner().name(); })
+      .def_property_readonly("info", &SharedPlanner::info, "its row of the registry")
+      .def_property_readonly("name", [](const SharedPlanner& self) { return self.info().name; })
       .def_property_readonly(
-          "complete", [](const SharedPlanner& self) { return self.planner().complete(); },
+          "complete",
+          [](const SharedPlanner& self) { return self.info().has(ltp::Trait::Complete); },
           "whether its failure proves that no path exists")
-      .def("plan", &SharedPlanner::plan, "scene"_a, "query"_a,
+      .def("plan", &SharedPlanner::plan, "scene"_a, "query"_a, "budget"_a = ltp::Budget{},
            "Plans a path. Lets other threads run; Ctrl-C interrupts it. ValueError for a query "
-           "that is not finite.")
+           "that is not finite and for\n"
+           "a negative limit.")
       .def("front", &SharedPlanner::front, "scene"_a, "query"_a, "eps"_a = 0.0,
-           "All paths of which none is both shorter (L) and over better ground (R = p_max L - P, "
-           "p_max the largest\n"
-           "priority in the window, P the priority integral). With eps, for each path one of them "
-           "has at most\n"
-           "(1 + eps) times its L and its R. Only `pareto` has a front: ValueError for another "
-           "planner, for a query\n"
-           "that is not finite and for a wrong eps. Lets other threads run; Ctrl-C interrupts it.");
+           "Deprecated: `ltp.pareto_front`.");
+  m.def(
+      "pareto_front",
+      [](const ltp::Scene& scene, const ltp::Query& query, const ltp::ExactOptions& options,
+         const ltp::Budget& budget) {
+        return watched(budget, [&](const ltp::Budget& limits) {
+          return ltp::pareto_front(scene, query, options, limits);
+        });
+      },
+      "scene"_a, "query"_a, "options"_a = ltp::ExactOptions{}, "budget"_a = ltp::Budget{},
+      "All paths of which none is both shorter (L) and over better ground (R = p_max L - P, p_max "
+      "the largest priority in\n"
+      "the window, P the priority integral). With options.eps, for each path one of them has at "
+      "most (1 + eps) times its\n"
+      "L and its R. OUT_OF_BUDGET where memory or budget end. ValueError for a query that is not "
+      "finite and for a wrong\n"
+      "option. Lets other threads run; Ctrl-C interrupts it.");
   m.def(
       "distance_field", &distance_field, "grid"_a, "source"_a, "levels"_a = py::none(),
       "float64 (nx, ny, nz): the length of the shortest path [m] from the centre of the cell that "
@@ -301,8 +327,6 @@ void bind_planning(py::module_& m) {
       "all. ValueError if the\n"
       "source is outside the grid or its levels, or these are not the grid's. Lets other threads "
       "run; Ctrl-C interrupts it.");
-  m.def("planner_names", &ltp::planner_names,
-        "The planners' names, in the order of the paper's tables.");
   m.def("flood_fill", &flood_fill, "grid"_a, "query"_a,
         "bool (nx, ny, nz): the cells that any planner could reach from the query's start within "
         "its band, by a flood\n"

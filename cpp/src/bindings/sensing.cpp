@@ -145,46 +145,36 @@ void bind_surfaces(py::module_& m) {
 
 void bind_options(py::module_& m) {
   using Pattern = ltp::LidarPattern;
-  auto pattern = py::class_<Pattern>(
+  options_class<Pattern>(
       m, "LidarPattern",
-      "The rays of one revolution, in the sensor's frame (x forward, y left, z up).");
-  pattern.def(py::init(&from_keywords<Pattern>))
-      .def_readwrite("azimuths", &Pattern::azimuths, "rays a row, evenly over the range, >= 1")
-      .def_readwrite("azimuth_from_deg", &Pattern::azimuth_from_deg,
-                     "first azimuth, counter-clockwise from x [deg]")
-      .def_readwrite("azimuth_to_deg", &Pattern::azimuth_to_deg,
-                     "last azimuth; a full circle stops one step short [deg]")
-      .def_readwrite("rows", &Pattern::rows, "rows, evenly over the range, both ends, >= 1")
-      .def_readwrite("elevation_from_deg", &Pattern::elevation_from_deg,
-                     "lowest row, and the only one if rows = 1; > -90 [deg]")
-      .def_readwrite("elevation_to_deg", &Pattern::elevation_to_deg, "highest row; < 90 [deg]")
-      .def("check", &Pattern::check, "Raises `ValueError` that names the field.");
-  list_fields(pattern, {"azimuths", "azimuth_from_deg", "azimuth_to_deg", "rows",
-                        "elevation_from_deg", "elevation_to_deg"});
+      "The rays of one revolution, in the sensor's frame (x forward, y left, z up).")
+      .field("azimuths", &Pattern::azimuths, "rays a row, evenly over the range, >= 1")
+      .field("azimuth_from_deg", &Pattern::azimuth_from_deg,
+             "first azimuth, counter-clockwise from x [deg]")
+      .field("azimuth_to_deg", &Pattern::azimuth_to_deg,
+             "last azimuth; a full circle stops one step short [deg]")
+      .field("rows", &Pattern::rows, "rows, evenly over the range, both ends, >= 1")
+      .field("elevation_from_deg", &Pattern::elevation_from_deg,
+             "lowest row, and the only one if rows = 1; > -90 [deg]")
+      .field("elevation_to_deg", &Pattern::elevation_to_deg, "highest row; < 90 [deg]");
 
   using Options = ltp::LidarOptions;
-  auto options = py::class_<Options>(m, "LidarOptions", "Settings of the LiDAR.");
-  options.def(py::init(&from_keywords<Options>))
-      .def_readwrite("pattern", &Options::pattern, "which rays")
-      .def_readwrite("max_range", &Options::max_range, "a return at or beyond it is no return [m]")
-      .def_readwrite("range_noise_sd", &Options::range_noise_sd,
-                     "standard deviation of a range [m]")
-      .def_readwrite("drop_out", &Options::drop_out, "probability that a return is lost, in [0, 1]")
-      .def_readwrite("seed", &Options::seed, "of noise and drop-out")
-      .def("check", &Options::check, "Raises `ValueError` that names the field.");
-  list_fields(options, {"pattern", "max_range", "range_noise_sd", "drop_out", "seed"});
+  options_class<Options>(m, "LidarOptions", "Settings of the LiDAR.")
+      .field("pattern", &Options::pattern, "which rays")
+      .field("max_range", &Options::max_range, "a return at or beyond it is no return [m]")
+      .field("range_noise_sd", &Options::range_noise_sd, "standard deviation of a range [m]")
+      .field("drop_out", &Options::drop_out, "probability that a return is lost, in [0, 1]")
+      .field("seed", &Options::seed, "of noise and drop-out");
 }
 
 void bind_scan(py::module_& m) {
   using Statistics = ltp::ScanStatistics;
-  auto statistics = py::class_<Statistics>(
-      m, "ScanStatistics", "What became of a scan's rays; the counts add up to all of them.");
-  statistics.def_readonly("hits", &Statistics::hits, "returns nearer than the maximum range")
-      .def_readonly("misses", &Statistics::misses,
-                    "no return: +inf, or at or beyond the maximum range")
-      .def_readonly("invalid", &Statistics::invalid, "NaN, 0, negative or -inf")
-      .def_readonly("dropped", &Statistics::dropped, "returns lost to drop-out");
-  list_fields(statistics, {"hits", "misses", "invalid", "dropped"});
+  Fields<Statistics>(m, "ScanStatistics",
+                     "What became of a scan's rays; the counts add up to all of them.")
+      .result("hits", &Statistics::hits, "returns nearer than the maximum range")
+      .result("misses", &Statistics::misses, "no return: +inf, or at or beyond the maximum range")
+      .result("invalid", &Statistics::invalid, "NaN, 0, negative or -inf")
+      .result("dropped", &Statistics::dropped, "returns lost to drop-out");
 
   py::class_<ltp::Scan>(m, "Scan", "One revolution of a LiDAR, in the world frame.")
       .def_readonly("origin", &ltp::Scan::origin, "(3,), of all its rays [m]")

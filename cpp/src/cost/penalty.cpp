@@ -7,10 +7,10 @@
 namespace ltp {
 
 void PenaltyWeights::check() const {
-  check::not_negative("length_weight", length);
-  check::not_negative("priority_weight", priority);
+  check::not_negative("weights.length", length);
+  check::not_negative("weights.priority", priority);
   if (length + priority == 0.0) {
-    check::fail("length_weight + priority_weight", 0.0, "at least one weight above 0");
+    check::fail("weights.length + weights.priority", 0.0, "at least one weight above 0");
   }
 }
 

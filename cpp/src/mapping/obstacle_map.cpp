@@ -88,8 +88,13 @@ InsertStatistics ObstacleMap::insert(const Point& origin, const PathRef& hits,
             }
           });
   statistics.invalid += count_invalid(misses);
-  if (!carver_) return statistics;
+  if (carver_) carve(origin, hits, misses, statistics);
+  if (statistics.new_cells > 0 || statistics.erased_cells > 0) ++version_;
+  return statistics;
+}
 
+void ObstacleMap::carve(const Point& origin, const PathRef& hits, const PathRef& misses,
+                        InsertStatistics& statistics) {
   Cell erased_low(occupied_.frame().nx(), occupied_.frame().ny(), occupied_.frame().nz());
   Cell erased_high = Cell::Zero();
   carver_->insert(origin, hits, misses, voxels_, [&](const Cell& voxel, bool occupied) {
@@ -106,14 +111,21 @@ InsertStatistics ObstacleMap::insert(const Point& origin, const PathRef& hits,
     inflation_.repair(occupied_, erased_low - inflation_.reach(), erased_high + inflation_.reach(),
                       blocked_);
   }
-  return statistics;
 }
 
-Cell ObstacleMap::recentre(const Point& centre) {
+InsertStatistics ObstacleMap::sense(const Point& origin, const PathRef& hits, const PathRef& misses,
+                                    const Leaving& leaving) {
+  check::finite("origin", origin);
+  recentre(origin, leaving);
+  return insert(origin, hits, misses);
+}
+
+Cell ObstacleMap::recentre(const Point& centre, const Leaving& leaving) {
   check::finite("centre", centre);
   voxels_.frame().shift_to_centre(centre);  // throws where voxel coordinates would overflow
   const Cell shift = occupied_.frame().shift_to_centre(centre);
   if (shift.isZero()) return shift;
+  if (leaving) leaving(occupied_);
   const Cell voxel_shift = scaled(shift, ratio_);
   voxels_.roll(voxel_shift);  // first: it is the one that can throw
   occupied_.roll(shift);
@@ -123,6 +135,7 @@ Cell ObstacleMap::recentre(const Point& centre) {
 }
 
 void ObstacleMap::clear() {
+  if (occupied_.count() > 0) ++version_;
   occupied_.clear();
   blocked_.clear();
   voxels_.clear();

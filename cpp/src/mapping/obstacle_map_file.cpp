@@ -63,6 +63,7 @@ void ObstacleMap::load(const std::string& path) {
                 expected.str().c_str());
   }
   // From here on nothing throws.
+  bool changed = false;
   for (const OctreeLeaf& leaf : octree.leaves) {
     const bool occupied = leaf.occupied();
     // OctoMap takes log-odds of 0 for occupied, carving for unknown.
@@ -80,12 +81,13 @@ void ObstacleMap::load(const std::string& path) {
           }
           if (occupied && !voxels_.blocked(voxel)) {
             voxels_.set(voxel);
-            occupy_cell_of(voxel);
+            changed |= occupy_cell_of(voxel);
           }
         }
       }
     }
   }
+  if (changed) ++version_;
 }
 
 }  // namespace ltp

@@ -21,7 +21,8 @@ ConcurrentTrajectoryPlanner::ConcurrentTrajectoryPlanner(std::unique_ptr<Planner
       navigator_(std::move(planner), options, std::move(priority), map_.occupied().frame(),
                  map_options.inflation_radius, position),
       known_(map_.occupied()),
-      snapshots_({0, position, 0, map_.occupied(), map_.blocked(), 0, Path(0, 3)}),
+      snapshots_(
+          {0, 0, position, 0, 0, map_.occupied(), map_.blocked(), 0, Path(0, 3), 0, nullptr}),
       decisions_({}) {}
 
 ConcurrentTrajectoryPlanner::~ConcurrentTrajectoryPlanner() { stop(); }
@@ -31,45 +32,86 @@ void ConcurrentTrajectoryPlanner::set_waypoints(const PathRef& waypoints) {
     check::finite("waypoints[" + std::to_string(i) + "]", Point(waypoints.row(i).transpose()));
   }
   waypoints_ = waypoints;
-  none_.route = ++route_;
-  none_.path_id = -route_;  // unlike any other
+  ++route_;
+  nothing_decided();
+  none_.waypoint_index = 0;
+  none_.events.clear();
+}
+
+void ConcurrentTrajectoryPlanner::set_priority(Raster priority) {
+  priority_ = std::make_shared<const Raster>(std::move(priority));
+  ++priority_number_;
+  nothing_decided();
+}
+
+/// Until there is a decision that knows what was just set. What became of the waypoints stays.
+void ConcurrentTrajectoryPlanner::nothing_decided() {
+  none_.waypoint_index = given_->waypoint_index;
+  none_.events = given_->events;
   none_.plans_made = given_->plans_made;
+  none_.route = route_;
+  none_.priority = priority_number_;
+  none_.path_id = -(route_ + priority_number_);  // unlike any other
   given_ = &none_;
 }
 
 InsertStatistics ConcurrentTrajectoryPlanner::sense(const Point& origin, const PathRef& hits,
                                                     const PathRef& misses) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (failure_) std::rethrow_exception(failure_);
-  }
-  map_.recentre(origin);
-  const InsertStatistics statistics = map_.insert(origin, hits, misses);
-  if (statistics.new_cells > 0 || statistics.erased_cells > 0) ++version_;
+  pass_on_failure();
+  const InsertStatistics statistics = map_.sense(origin, hits, misses);
+  ++scan_;
+  position_ = origin;
+  hand_over();
+  return statistics;
+}
 
+void ConcurrentTrajectoryPlanner::load_map(const std::string& path) {
+  pass_on_failure();
+  map_.load(path);
+  hand_over();
+}
+
+void ConcurrentTrajectoryPlanner::clear_map() {
+  pass_on_failure();
+  map_.clear();
+  ++clearings_;
+  hand_over();
+}
+
+void ConcurrentTrajectoryPlanner::pass_on_failure() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+/// Publishes a snapshot of what the sensor's thread knows.
+void ConcurrentTrajectoryPlanner::hand_over() {
   Snapshot& snapshot = snapshots_.back();
-  snapshot.scan = ++scan_;
-  snapshot.position = position_ = origin;
-  snapshot.version = version_;
+  snapshot.number = ++handed_over_;
+  snapshot.scan = scan_;
+  snapshot.position = position_;
+  snapshot.version = map_.version();
+  snapshot.clearings = clearings_;
   snapshot.occupied = map_.occupied();
   snapshot.blocked = map_.blocked();
   if (snapshot.route != route_) {
     snapshot.route = route_;
     snapshot.waypoints = waypoints_;
   }
+  snapshot.priority_number = priority_number_;
+  snapshot.priority = priority_;
   snapshots_.publish();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    published_ = scan_;
+    published_ = handed_over_;
   }
   news_.notify_all();
-  return statistics;
 }
 
 const Decision& ConcurrentTrajectoryPlanner::decision() {
   decisions_.take();
   const Decision& newest = decisions_.front();
-  given_ = newest.route == route_ ? &newest : &none_;
+  const bool current = newest.route == route_ && newest.priority == priority_number_;
+  given_ = current ? &newest : &none_;
   return *given_;
 }
 
@@ -84,20 +126,32 @@ std::optional<double> ConcurrentTrajectoryPlanner::blocked_at() {
 bool ConcurrentTrajectoryPlanner::plan() {
   if (!snapshots_.take()) return false;
   Snapshot& seen = snapshots_.front();
-  if (seen.occupied.frame() != known_.frame()) navigator_.remember(known_);
+  take_over(seen);
+  navigator_.update({known_, seen.blocked, seen.version}, seen.position,
+                    [this] { return stopping_.load(std::memory_order_relaxed); });
+  publish(seen);
+  return true;
+}
+
+/// Tells the navigator what is new in a snapshot.
+void ConcurrentTrajectoryPlanner::take_over(Snapshot& seen) {
+  if (std::exchange(known_clearings_, seen.clearings) != seen.clearings) {
+    navigator_.forget();
+  } else if (seen.occupied.frame() != known_.frame()) {
+    navigator_.remember(known_);
+  }
   std::swap(known_, seen.occupied);  // the slot's next value overwrites all of it
   if (std::exchange(known_route_, seen.route) != seen.route) {
     navigator_.set_waypoints(seen.waypoints);
   }
-  navigator_.update({known_, seen.blocked, seen.version}, seen.position,
-                    [this] { return stopping_.load(std::memory_order_relaxed); });
-  publish(seen.scan);
-  return true;
+  if (std::exchange(known_priority_, seen.priority_number) != seen.priority_number) {
+    navigator_.set_priority(*seen.priority);
+  }
 }
 
-void ConcurrentTrajectoryPlanner::publish(std::int64_t scan) {
+void ConcurrentTrajectoryPlanner::publish(const Snapshot& seen) {
   Decision& out = decisions_.back();
-  out.scan = scan;
+  out.scan = seen.scan;
   out.status = navigator_.status();
   if (std::exchange(out.path_id, navigator_.path_id()) != navigator_.path_id()) {
     out.path = navigator_.path();
@@ -108,10 +162,11 @@ void ConcurrentTrajectoryPlanner::publish(std::int64_t scan) {
     out.plans = navigator_.plans();
   }
   out.route = known_route_;
+  out.priority = known_priority_;
   decisions_.publish();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    decided_ = scan;
+    decided_ = seen.number;
   }
   news_.notify_all();
 }
@@ -153,9 +208,9 @@ void ConcurrentTrajectoryPlanner::run() {
 bool ConcurrentTrajectoryPlanner::wait(double seconds) {
   std::unique_lock<std::mutex> lock(mutex_);
   news_.wait_for(lock, std::chrono::duration<double>(std::min(seconds, 1e6)),
-                 [this] { return decided_ >= scan_ || failure_; });
+                 [this] { return decided_ >= handed_over_ || failure_; });
   if (failure_) std::rethrow_exception(failure_);
-  return decided_ >= scan_;
+  return decided_ >= handed_over_;
 }
 
 }  // namespace ltp

@@ -3,8 +3,17 @@
 #include "ltp/navigation/local_trajectory_planner.hpp"
 
 #include "ltp/geometry/check.hpp"
+#include "ltp/planning/planners.hpp"
 
 namespace ltp {
+namespace {
+
+/// What leaves the window is kept for proofs.
+auto remembering(Navigator& navigator) {
+  return [&navigator](const OccupancyGrid& occupied) { navigator.remember(occupied); };
+}
+
+}  // namespace
 
 LocalTrajectoryPlanner::LocalTrajectoryPlanner(std::unique_ptr<Planner> planner,
                                                const ObstacleMapOptions& map_options,
@@ -21,23 +30,20 @@ LocalTrajectoryPlanner::LocalTrajectoryPlanner(const ObstacleMapOptions& map_opt
 
 InsertStatistics LocalTrajectoryPlanner::sense(const Point& origin, const PathRef& hits,
                                                const PathRef& misses) {
-  recentre(origin);
-  const InsertStatistics statistics = map_.insert(origin, hits, misses);
-  if (statistics.new_cells > 0 || statistics.erased_cells > 0) ++version_;
-  return statistics;
+  return map_.sense(origin, hits, misses, remembering(navigator_));
+}
+
+void LocalTrajectoryPlanner::clear_map() {
+  map_.clear();
+  navigator_.forget();
 }
 
 NavigationStatus LocalTrajectoryPlanner::update(const Point& position,
                                                 const std::function<bool()>& interrupted) {
   check::finite("position", position);
-  recentre(position);
-  return navigator_.update({map_.occupied(), map_.blocked(), version_}, position, interrupted);
-}
-
-void LocalTrajectoryPlanner::recentre(const Point& position) {
-  if (map_.occupied().frame().shift_to_centre(position) == Cell::Zero()) return;
-  navigator_.remember(map_.occupied());  // before it is forgotten
-  map_.recentre(position);
+  map_.recentre(position, remembering(navigator_));
+  return navigator_.update({map_.occupied(), map_.blocked(), map_.version()}, position,
+                           interrupted);
 }
 
 }  // namespace ltp

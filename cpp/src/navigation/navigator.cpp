@@ -9,6 +9,8 @@
 
 #include "ltp/geometry/check.hpp"
 #include "ltp/geometry/polyline.hpp"
+#include "ltp/planning/grid_planner.hpp"
+#include "planning/search/flood.hpp"
 
 namespace ltp {
 namespace {
@@ -31,7 +33,8 @@ void NavigationOptions::check() const {
   check::not_negative("reach_distance", reach_distance);
   check::not_negative("leave_distance", leave_distance);
   check::positive("escape_distance", escape_distance);
-  if (memory_widths < 1) check::fail("memory_widths", memory_widths, "a number >= 1");
+  check::at_least("memory_widths", memory_widths, 1);
+  Budget{max_expansions, time_limit}.check();
 }
 
 std::string_view to_string(NavigationStatus status) {
@@ -55,6 +58,7 @@ Navigator::Navigator(std::unique_ptr<Planner> planner, const NavigationOptions& 
       options_(options),
       priority_(std::move(priority)),
       leg_begin_(position),
+      flood_(std::make_unique<planning::Flood>()),
       memory_(window, options.memory_widths, inflation_radius) {
   if (!planner_) check::fail("planner", "null", "a planner");
   options_.check();
@@ -62,6 +66,9 @@ Navigator::Navigator(std::unique_ptr<Planner> planner, const NavigationOptions& 
   if (options_.reach_distance == 0.0) options_.reach_distance = diagonal;
   if (options_.leave_distance == 0.0) options_.leave_distance = diagonal;
 }
+
+Navigator::Navigator(Navigator&&) noexcept = default;
+Navigator::~Navigator() = default;
 
 void Navigator::set_waypoints(const PathRef& waypoints) {
   for (Eigen::Index i = 0; i < waypoints.rows(); ++i) {
@@ -161,7 +168,8 @@ void Navigator::replan(const MapView& map, const Point& position,
       return follow(NavigationStatus::Escaping, path, *out);
     }
 
-    Query query{position, goal, options_.band, interrupted};
+    const Budget budget{options_.max_expansions, options_.time_limit, interrupted};
+    Query query{position, goal, options_.band};
     stopover_ = !frame.contains(goal);
     if (stopover_) {
       const std::optional<Point> target = target_inside(map, position, levels_of(frame, query));
@@ -175,7 +183,7 @@ void Navigator::replan(const MapView& map, const Point& position,
       continue;
     }
     plans_.push_back({next_, (query.goal - query.start).norm(),
-                      planner_->plan({map.blocked, priority_}, query)});
+                      planner_->plan({map.blocked, priority_}, query, budget)});
     ++plans_made_;
     const Plan& plan = plans_.back().plan;
     if (plan.status == PlanStatus::Found) {
@@ -190,14 +198,14 @@ void Navigator::replan(const MapView& map, const Point& position,
 
 bool Navigator::proved_unreachable(const MapView& map, const Point& position, const Point& goal) {
   memory_.remember(map.occupied);
-  return memory_.seals({position, goal, options_.band, nullptr});
+  return memory_.seals({position, goal, options_.band});
 }
 
 /// The last point of the leg to the waypoint that lies inside the window and can be reached.
 std::optional<Point> Navigator::target_inside(const MapView& map, const Point& position,
                                               const LevelRange& levels) {
   const GridFrame& frame = map.blocked.frame();
-  flood_.fill(map.blocked, frame.cell_of(position), levels);
+  flood_->fill(map.blocked, frame.cell_of(position), levels);
   const Point goal = waypoint(next_);
   for (const Point& begin : {leg_begin_, position}) {
     const Point leg = goal - begin;
@@ -205,7 +213,7 @@ std::optional<Point> Navigator::target_inside(const MapView& map, const Point& p
     for (int i = count - 1; i > 0; --i) {
       const Point candidate = begin + leg * (static_cast<double>(i) / count);
       if (same_cell(frame, candidate, position)) continue;
-      if (flood_.reached(frame.cell_of(candidate))) return candidate;
+      if (flood_->reached(frame.cell_of(candidate))) return candidate;
     }
   }
   return std::nullopt;

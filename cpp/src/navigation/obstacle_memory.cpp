@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "ltp/geometry/check.hpp"
+#include "ltp/planning/grid_planner.hpp"
+#include "planning/search/flood.hpp"
 
 namespace ltp {
 namespace {
@@ -28,7 +30,11 @@ int shift_to_hold(int begin, int inner, int outer) {
 ObstacleMemory::ObstacleMemory(const GridFrame& window, int widths, double inflation_radius)
     : occupied_(widened(window, widths)),
       blocked_(occupied_),
-      inflation_(occupied_.frame(), inflation_radius) {}
+      inflation_(occupied_.frame(), inflation_radius),
+      flood_(std::make_unique<planning::Flood>()) {}
+
+ObstacleMemory::ObstacleMemory(ObstacleMemory&&) noexcept = default;
+ObstacleMemory::~ObstacleMemory() = default;
 
 void ObstacleMemory::remember(const OccupancyGrid& occupied) {
   const GridFrame& window = occupied.frame();
@@ -54,6 +60,11 @@ void ObstacleMemory::remember(const OccupancyGrid& occupied) {
   }
 }
 
+void ObstacleMemory::clear() {
+  occupied_.clear();
+  inflated_ = false;
+}
+
 /// Blocks the surroundings of the cells that are bits of one word of a column.
 void ObstacleMemory::inflate(int ix, int iy, int word, std::uint64_t bits) {
   for (; bits != 0; bits &= bits - 1) {
@@ -71,8 +82,8 @@ bool ObstacleMemory::seals(const Query& query) {
   const Cell goal = frame.cell_of(query.goal);
   if (!frame.contains(goal) || blocked_.blocked(goal)) return false;
   const Cell start = frame.cell_of(query.start);
-  flood_.fill(blocked_, goal, levels_of(frame, query), start);
-  return !flood_.touched_edge() && !flood_.reached(start);
+  flood_->fill(blocked_, goal, levels_of(frame, query), start);
+  return !flood_->touched_edge() && !flood_->reached(start);
 }
 
 }  // namespace ltp

@@ -24,21 +24,37 @@ constexpr int kLanes = 1;  // two gain nothing where a choice takes three instru
 }  // namespace baseline
 
 #ifdef __x86_64__
+#ifdef __clang__
+#pragma clang attribute push([[gnu::target("avx2")]], apply_to = function)
+#else
 #pragma GCC push_options
 #pragma GCC target("avx2")
+#endif
 namespace avx2 {
 constexpr int kLanes = 4;
 #include "cell_walk_lanes.hpp"
 }  // namespace avx2
+#ifdef __clang__
+#pragma clang attribute pop
+#else
 #pragma GCC pop_options
+#endif
 
+#ifdef __clang__
+#pragma clang attribute push([[gnu::target("avx512f,avx512dq,avx512vl")]], apply_to = function)
+#else
 #pragma GCC push_options
 #pragma GCC target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")
+#endif
 namespace avx512 {
 constexpr int kLanes = 8;
 #include "cell_walk_lanes.hpp"
 }  // namespace avx512
+#ifdef __clang__
+#pragma clang attribute pop
+#else
 #pragma GCC pop_options
+#endif
 #else
 namespace avx2 = baseline;
 namespace avx512 = baseline;

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ltp import OccupancyGrid, Plan, Query, Raster, Scene, make_planner
+from ltp import OccupancyGrid, PenaltyWeights, Plan, Query, Raster, Scene, make_planner
 
 from ..contest import Shared, Solver
 from ..workload import Pairs, centres
@@ -24,7 +24,7 @@ def proof(name: str) -> Callable[[Shared], Solver]:
 
 
 def _planner(name: str, grid: OccupancyGrid, pairs: Pairs, answer: Callable[[Plan], Any]) -> Solver:
-    planner = make_planner(name, length_weight=1.0, priority_weight=0.0)
+    planner = make_planner(name, weights=PenaltyWeights(length=1.0, priority=0.0))
     scene = Scene(grid, Raster(np.zeros((1, 1))))
     ends = centres(pairs)
     return Solver(lambda i: planner.plan(scene, Query(ends[i, 0], ends[i, 1])), answer)

@@ -43,6 +43,11 @@ class Penalty {
     return (*this)(tally.length, tally.priority, point_priority);
   }
 
+  /// Eq. (5) of a path by its length and mean priority.
+  double at(double length, double mean_priority) const {
+    return per_metre_ * length - weights_.priority * mean_priority;
+  }
+
   double per_metre() const { return per_metre_; }  ///< W_L / L_direct [1/m]; 0 for L_direct = 0
   const PenaltyWeights& weights() const { return weights_; }
 

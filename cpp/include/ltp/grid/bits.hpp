@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 
 namespace ltp {
 
@@ -15,6 +16,21 @@ inline std::uint64_t bits_between(int w, int low, int high) {
   if (from > to) return 0;
   return (~std::uint64_t{0} >> (63 - (to - from))) << from;
 }
+
+/// The same of all words of a column.
+inline void fill_between(std::uint64_t* column, int words, int low, int high) {
+  for (int w = 0; w < words; ++w) column[w] = bits_between(w, low, high);
+}
+
+/// Calls `visit(number)` for every bit of a word that is set, the lowest first.
+template <typename Word, typename Visitor>
+inline void for_each_bit(Word word, Visitor&& visit) {
+  static_assert(std::is_unsigned_v<Word>);
+  for (; word != 0; word &= word - 1) visit(__builtin_ctzll(word));
+}
+
+/// The number of the highest bit that is set; `value` is not 0.
+inline int floor_log2(std::uint64_t value) { return 63 - __builtin_clzll(value); }
 
 /// The first word in [from, to) that is not zero; `to` if there is none. Most of a map is empty.
 inline std::int64_t next_in_use(const std::uint64_t* words, std::int64_t from, std::int64_t to) {

@@ -16,6 +16,9 @@ inline constexpr int kSteps = 26;
 
 /// The bit of the offset (dx, dy, dz), each -1, 0 or 1, in a 27-bit mask of a cell's surroundings.
 constexpr int neighbour_bit(int dx, int dy, int dz) { return (dx + 1) * 9 + (dy + 1) * 3 + dz + 1; }
+inline int neighbour_bit(const Cell& offset) {
+  return neighbour_bit(offset.x(), offset.y(), offset.z());
+}
 
 /// One step to a neighbour. It is legal when no cell of its bounding box is blocked: the target,
 /// and every cell whose edge or corner a diagonal step would squeeze past.
@@ -23,6 +26,8 @@ struct Step {
   std::int8_t dx, dy, dz;
   std::int8_t opposite;  ///< the number of the step back
   std::uint32_t box;     ///< the surroundings' bits that must all be free
+
+  Cell offset() const { return Cell(dx, dy, dz); }
 };
 
 namespace detail {
@@ -75,6 +80,12 @@ inline constexpr std::array<Step, kSteps> kAllSteps = make_steps();
 /// order.
 inline const std::array<Step, kSteps>& steps() { return detail::kAllSteps; }
 
+inline constexpr int kNoStep = -1;
+/// The number of the step that adds an offset; `kNoStep` if none does.
+int step_by(const Cell& offset);
+/// The number of the step from a cell to its neighbour.
+inline int step_between(const Cell& from, const Cell& to) { return step_by(to - from); }
+
 /// Metric lengths of the steps on cells of the given edges [m].
 std::array<double, kSteps> step_lengths(const Point& cell);
 
@@ -85,6 +96,9 @@ inline constexpr std::uint32_t kBottomBits = 0111111111;
 struct LevelRange {
   int lowest = 0;
   int highest = 0;
+
+  int count() const { return highest - lowest + 1; }
+  bool contains(const Cell& cell) const { return cell.z() >= lowest && cell.z() <= highest; }
 };
 
 /// The 27-bit mask of the blocked cells round a cell. Cells outside the frame or the levels count

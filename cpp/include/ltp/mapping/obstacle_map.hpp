@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -19,9 +20,11 @@ namespace ltp {
 
 /// What became of a scan's points, and of the map.
 struct InsertStatistics {
-  std::int64_t marked = 0;        ///< hits that fell into the window
-  std::int64_t outside = 0;       ///< hits beyond the window
-  std::int64_t out_of_range = 0;  ///< hits at or beyond the maximum range: treated as misses
+  std::int64_t marked = 0;   ///< hits that fell into the window
+  std::int64_t outside = 0;  ///< hits beyond the window
+  /// Hits at or beyond the map's maximum range: treated as misses. Many of them, and the sensor
+  /// sees farther than the map was told.
+  std::int64_t out_of_range = 0;
   std::int64_t invalid = 0;       ///< hits or misses that are not finite: ignored
   std::int64_t new_cells = 0;     ///< planning cells that became occupied
   std::int64_t erased_cells = 0;  ///< planning cells that became free by carving
@@ -49,6 +52,12 @@ class ObstacleMap {
   }  ///< the same, inflated: what planners get
   const OccupancyGrid& voxels() const { return voxels_; }           ///< occupied voxels
   double voxel_size() const { return voxels_.frame().cell().x(); }  ///< [m]
+  /// Grows, from 0, whenever planning cells become occupied or free: by a scan, a file, or `clear`.
+  /// Recentring leaves it: what stays in the window keeps its meaning.
+  std::int64_t version() const { return version_; }
+
+  /// Is given the occupied planning cells before the window leaves some of them behind.
+  using Leaving = std::function<void(const OccupancyGrid& occupied)>;
 
   /// Adds a scan: where its rays began, where they hit something, and where those without a return
   /// stopped being seen; world frame, shape (N, 3) [m]. Strange points never throw: they are
@@ -59,7 +68,10 @@ class ObstacleMap {
   /// Moves the window so that it is centred on a point; what leaves is forgotten, cells that enter
   /// are unknown. Returns the shift in planning cells. Throws for a point that is not finite or
   /// absurdly far.
-  Cell recentre(const Point& centre);
+  Cell recentre(const Point& centre, const Leaving& leaving = nullptr);
+  /// Recentres on the origin of a scan, then inserts it.
+  InsertStatistics sense(const Point& origin, const PathRef& hits, const PathRef& misses,
+                         const Leaving& leaving = nullptr);
   /// Forgets everything.
   void clear();
 
@@ -82,6 +94,9 @@ class ObstacleMap {
   Cell cell_of_voxel(const Cell& voxel) const;
   bool any_voxel_in(const Cell& cell) const;
   bool occupy_cell_of(const Cell& voxel);  ///< whether its planning cell was free before
+  /// The second half of `insert`, with carving: hits are marked, rays are followed.
+  void carve(const Point& origin, const PathRef& hits, const PathRef& misses,
+             InsertStatistics& statistics);
 
   double one_hit() const;  ///< the log-odds of a voxel hit once
 
@@ -92,6 +107,7 @@ class ObstacleMap {
   OccupancyGrid voxels_;
   Inflation inflation_;
   std::optional<Carver> carver_;  ///< only with `carve_free_space`
+  std::int64_t version_ = 0;
 };
 
 }  // namespace ltp

@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -30,7 +31,8 @@ struct Decision {
   std::vector<WaypointEvent> events;
   std::vector<PlanRecord> plans;
   std::int64_t plans_made = 0;
-  std::int64_t route = 0;  ///< counts the calls of `set_waypoints` that it knows of
+  std::int64_t route = 0;     ///< counts the calls of `set_waypoints` that it knows of
+  std::int64_t priority = 0;  ///< counts the calls of `set_priority` that it knows of
 };
 
 /// A `LocalTrajectoryPlanner` whose scans never wait for a plan. The thread of the sensor inserts a
@@ -42,7 +44,8 @@ struct Decision {
 ///
 /// All but `plan` is for one thread, that of the sensor. Either `start` the planning thread, or
 /// call `plan` yourself, from the same thread or another. If each scan is waited for, every
-/// decision is that of a `LocalTrajectoryPlanner` which is updated where the scans were made.
+/// decision is that of a `LocalTrajectoryPlanner` which is updated where the scans were made; a
+/// map that was loaded or cleared is handed over as a scan's is, and can be waited for alike.
 class ConcurrentTrajectoryPlanner {
  public:
   /// As those of `LocalTrajectoryPlanner`.
@@ -55,10 +58,17 @@ class ConcurrentTrajectoryPlanner {
   /// Replaces what is left of the global path, from the next scan on; until then there is no path.
   /// Rows are waypoints, world [m]; may be empty.
   void set_waypoints(const PathRef& waypoints);
+  /// Another priority p_l(x, y), from the next scan on; until then there is no path.
+  void set_priority(Raster priority);
 
   /// Adds a scan as `LocalTrajectoryPlanner` does and hands the map over; the UAV is where the rays
   /// began [m]. Throws what the planning thread has thrown, if it has.
   InsertStatistics sense(const Point& origin, const PathRef& hits, const PathRef& misses);
+
+  /// As `LocalTrajectoryPlanner` does; the map is handed over at once, with the UAV where it was at
+  /// the last scan. Throw what the planning thread has thrown, if it has.
+  void load_map(const std::string& path);
+  void clear_map();
 
   /// Takes the newest decision. It stands until the next call.
   const Decision& decision();
@@ -72,7 +82,7 @@ class ConcurrentTrajectoryPlanner {
   /// Begins and ends the planning thread; ending it interrupts a long search.
   void start();
   void stop();
-  /// Sleeps until the last scan has been decided on, at most so long [s]. Whether it has. Throws
+  /// Sleeps until the newest map has been decided on, at most so long [s]. Whether it has. Throws
   /// what the planning thread has thrown.
   bool wait(double seconds);
 
@@ -80,28 +90,48 @@ class ConcurrentTrajectoryPlanner {
   const ObstacleMap& map() const { return map_; }
   std::int64_t scans() const { return scan_; }  ///< sensed so far
 
+  // The names of version 0.1, for one release.
+  [[deprecated("set_waypoints")]] void set_way_points(const PathRef& points) {
+    set_waypoints(points);
+  }
+  [[deprecated("waypoints")]] const Path& way_points() const { return waypoints(); }
+
  private:
+  using SharedRaster = std::shared_ptr<const Raster>;  ///< null: that of the constructor
+
   struct Snapshot {
+    std::int64_t number;
     std::int64_t scan;
     Point position;
-    std::int64_t version;  ///< of the map
+    std::int64_t version;    ///< of the map
+    std::int64_t clearings;  ///< of the map
     OccupancyGrid occupied;
     OccupancyGrid blocked;
     std::int64_t route;  ///< number of the waypoints
     Path waypoints;
+    std::int64_t priority_number;
+    SharedRaster priority;
   };
 
+  void pass_on_failure();
+  void hand_over();
+  void nothing_decided();
   void run();
-  void publish(std::int64_t scan);
+  void take_over(Snapshot& seen);
+  void publish(const Snapshot& seen);
 
   // The sensor's thread.
   ObstacleMap map_;
   std::int64_t scan_ = 0;
-  std::int64_t version_ = 0;  ///< of the map
-  Point position_;            ///< of the last scan [m]
+  std::int64_t handed_over_ = 0;  ///< number of the newest snapshot
+  std::int64_t clearings_ = 0;    ///< of the map
+  Point position_;                ///< of the last scan [m]
   Path waypoints_ = Path(0, 3);
   std::int64_t route_ = 0;  ///< number of the waypoints
-  Decision none_;           ///< what there is while the newest decision is about other waypoints
+  SharedRaster priority_;
+  std::int64_t priority_number_ = 0;
+  /// What there is while the newest decision is about other waypoints or another priority.
+  Decision none_;
   const Decision* given_ = &none_;
   std::int64_t flown_path_ = 0;  ///< `path_id` of the path that `progress_` is about
   double progress_ = 0.0;        ///< arc length of it already flown [m]
@@ -110,6 +140,8 @@ class ConcurrentTrajectoryPlanner {
   Navigator navigator_;
   OccupancyGrid known_;  ///< occupied cells of the snapshot decided on last
   std::int64_t known_route_ = 0;
+  std::int64_t known_priority_ = 0;
+  std::int64_t known_clearings_ = 0;
 
   TripleBuffer<Snapshot> snapshots_;
   TripleBuffer<Decision> decisions_;

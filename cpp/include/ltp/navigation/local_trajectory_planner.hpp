@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,11 @@ class LocalTrajectoryPlanner {
   /// return ended [m].
   InsertStatistics sense(const Point& origin, const PathRef& hits, const PathRef& misses);
 
+  /// Adds what a file knows about the window, as `ObstacleMap::load` does and throws.
+  void load_map(const std::string& path) { map_.load(path); }
+  /// Forgets all obstacles, those beyond the window too: no proof rests on them any more.
+  void clear_map();
+
   /// Decides what to do at a position [m]. Afterwards `status()`, `path()` and `events()` are up to
   /// date. `interrupted` ends a long search.
   NavigationStatus update(const Point& position,
@@ -60,15 +66,18 @@ class LocalTrajectoryPlanner {
   }  ///< the waypoint flown to; the number of them when finished
   const Path& waypoints() const { return navigator_.waypoints(); }
   const ObstacleMap& map() const { return map_; }
-  ObstacleMap& map() { return map_; }
   const Planner& planner() const { return navigator_.planner(); }
   const Raster& priority() const { return navigator_.priority(); }
 
- private:
-  void recentre(const Point& position);
+  // The names of version 0.1, for one release.
+  [[deprecated("set_waypoints")]] void set_way_points(const PathRef& points) {
+    set_waypoints(points);
+  }
+  [[deprecated("waypoints")]] const Path& way_points() const { return waypoints(); }
+  [[deprecated("waypoint_index")]] int way_point_index() const { return waypoint_index(); }
 
+ private:
   ObstacleMap map_;
-  std::int64_t version_ = 0;  ///< of the map
   Navigator navigator_;
 };
 

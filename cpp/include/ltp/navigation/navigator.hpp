@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
+#include "ltp/grid/neighbourhood.hpp"
 #include "ltp/grid/occupancy_grid.hpp"
 #include "ltp/grid/raster.hpp"
 #include "ltp/navigation/obstacle_memory.hpp"
-#include "ltp/planning/flood.hpp"
 #include "ltp/planning/planner.hpp"
 
 namespace ltp {
@@ -27,6 +27,9 @@ struct NavigationOptions {
       0.0;  ///< farther from its path the UAV has left it [m]; 0: one horizontal cell diagonal
   double escape_distance =
       20.0;  ///< how far to look for a free cell when standing in a blocked one [m]
+
+  std::int64_t max_expansions = 0;  ///< of a plan, see `Budget`; 0: no limit
+  double time_limit = 0.0;          ///< of a plan, see `Budget` [s]; 0: no limit
 
   /// How many windows wide the memory of obstacles is from which proofs are drawn, >= 1; 1 where
   /// obstacles move.
@@ -56,9 +59,11 @@ struct WaypointEvent {
   Point window_origin = Point::Zero();  ///< lowest corner of the map's window [m]
 };
 
+using WayPointEvent [[deprecated("WaypointEvent")]] = WaypointEvent;  ///< for one release
+
 /// One answer of the planner.
 struct PlanRecord {
-  int waypoint = 0;           ///< for which it was asked
+  int waypoint = 0;            ///< for which it was asked
   double direct_length = 0.0;  ///< L_direct of the query [m]
   Plan plan;
 };
@@ -67,7 +72,7 @@ struct PlanRecord {
 struct MapView {
   const OccupancyGrid& occupied;  ///< planning cells with a hit in them
   const OccupancyGrid& blocked;   ///< the same, inflated
-  std::int64_t version = 0;       ///< grows, from 0, whenever cells become occupied or free
+  std::int64_t version = 0;       ///< of the map: `ObstacleMap::version`
 };
 
 /// Holds the waypoints and the plan. Replans when the path is blocked, when a waypoint is reached
@@ -83,12 +88,16 @@ class Navigator {
   /// @param position          of the UAV [m]
   Navigator(std::unique_ptr<Planner> planner, const NavigationOptions& options, Raster priority,
             const GridFrame& window, double inflation_radius, const Point& position);
+  Navigator(Navigator&&) noexcept;
+  ~Navigator();
 
   void set_waypoints(const PathRef& waypoints);
   void set_priority(Raster priority);
 
   /// Keeps what a window holds for proofs; to be told before the map forgets it.
   void remember(const OccupancyGrid& occupied) { memory_.remember(occupied); }
+  /// Forgets what was kept, with a map that was cleared: no proof rests on obstacles that are gone.
+  void forget() { memory_.clear(); }
 
   /// Decides what to do at a position inside the map's window [m]. `interrupted` ends a long
   /// search. Allocates nothing unless a plan is made.
@@ -106,6 +115,13 @@ class Navigator {
   const Path& waypoints() const { return waypoints_; }
   const Planner& planner() const { return *planner_; }
   const Raster& priority() const { return priority_; }
+
+  // The names of version 0.1, for one release.
+  [[deprecated("set_waypoints")]] void set_way_points(const PathRef& points) {
+    set_waypoints(points);
+  }
+  [[deprecated("waypoints")]] const Path& way_points() const { return waypoints(); }
+  [[deprecated("waypoint_index")]] int way_point_index() const { return waypoint_index(); }
 
  private:
   static constexpr std::int64_t kNoVersion = -1;
@@ -142,7 +158,7 @@ class Navigator {
   std::vector<PlanRecord> plans_;
   std::int64_t plans_made_ = 0;
   int plans_for_waypoint_ = 0;
-  Flood flood_;
+  std::unique_ptr<planning::Flood> flood_;
   ObstacleMemory memory_;
 };
 

@@ -5,13 +5,17 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "ltp/grid/occupancy_grid.hpp"
 #include "ltp/mapping/inflation.hpp"
-#include "ltp/planning/flood.hpp"
 #include "ltp/planning/planner.hpp"
 
 namespace ltp {
+
+namespace planning {
+class Flood;
+}
 
 /// A block larger than the window can never be seen closed inside it: the UAV would circle it for
 /// ever, always finding a way through the walls that it has just forgotten. So cells that were ever
@@ -24,9 +28,14 @@ class ObstacleMemory {
   /// itself
   /// @param inflation_radius  as the map's [m]
   ObstacleMemory(const GridFrame& window, int widths, double inflation_radius);
+  ObstacleMemory(ObstacleMemory&&) noexcept;
+  ~ObstacleMemory();
 
   /// Adds what a window on the same lattice holds; moves along with it. Allocates nothing.
   void remember(const OccupancyGrid& occupied);
+
+  /// Forgets everything.
+  void clear();
 
   /// Whether the goal is walled in: what a flood from it reaches, obstacles inflated, ends neither
   /// at the UAV nor at the edge of what is remembered.
@@ -41,7 +50,7 @@ class ObstacleMemory {
   OccupancyGrid blocked_;  ///< the same, inflated, if `inflated_`
   Inflation inflation_;
   bool inflated_ = false;  ///< from the first proof on, until the memory moves
-  Flood flood_;
+  std::unique_ptr<planning::Flood> flood_;
 };
 
 }  // namespace ltp

@@ -4,18 +4,15 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "ltp/cost/penalty.hpp"
 #include "ltp/geometry/types.hpp"
-#include "ltp/grid/neighbourhood.hpp"
 #include "ltp/grid/occupancy_grid.hpp"
 #include "ltp/grid/raster.hpp"
+#include "ltp/planning/budget.hpp"
 
 namespace ltp {
 
@@ -25,20 +22,18 @@ struct Scene {
   const Raster& priority;
 };
 
+inline constexpr double kOpen = std::numeric_limits<double>::infinity();
+
 /// How far a path may leave the altitudes between its start and its goal. {0, 0} is planar flight.
 struct AltitudeBand {
-  double below =
-      std::numeric_limits<double>::infinity();  ///< under the lower of both ends [m], >= 0
-  double above =
-      std::numeric_limits<double>::infinity();  ///< over the higher of both ends [m], >= 0
+  double below = kOpen;  ///< under the lower of both ends [m], >= 0
+  double above = kOpen;  ///< over the higher of both ends [m], >= 0
 };
 
 struct Query {
   Point start = Point::Zero();  ///< world [m]
   Point goal = Point::Zero();   ///< world [m]
-  AltitudeBand band;            ///< default: open to the whole window
-  /// Asked now and then during a long search; `true` ends it with `OutOfBudget`.
-  std::function<bool()> interrupted = nullptr;
+  AltitudeBand band = {};       ///< default: open to the whole window
 };
 
 enum class PlanStatus {
@@ -48,7 +43,7 @@ enum class PlanStatus {
   GoalBlocked,   ///< the goal lies in a blocked cell
   Unreachable,   ///< proved: no free path exists on this grid
   NoneFound,     ///< gave up without proof
-  OutOfBudget,   ///< the caller's limit was reached first
+  OutOfBudget,   ///< a limit of the budget was reached first
 };
 
 std::string_view to_string(PlanStatus status);
@@ -71,96 +66,47 @@ struct Plan {
   SearchStats stats;
 };
 
+enum class PlannerFamily {
+  Paper,     ///< of the paper's tables
+  Ours,      ///< beyond the paper
+  Baseline,  ///< of other authors, to compare with
+};
+
+std::string_view to_string(PlannerFamily family);
+
+/// What one may rely on; bits of `PlannerInfo::traits`.
+struct Trait {
+  enum : unsigned {
+    Complete = 1,       ///< its `Unreachable` proves that no path exists
+    OnGrid = 2,         ///< its paths run through cell centres
+    Anytime = 4,        ///< out of budget, it answers with the best path so far
+    Remembers = 8,      ///< an answer may depend on what was asked before
+    UsesPriority = 16,  ///< the priority map shapes its paths
+    Bounds = 32,        ///< proves a lower bound of Eq. (5), see `Plan::bound`
+  };
+};
+
+/// What a planner is. Its words must outlive it.
+struct PlannerInfo {
+  std::string_view name;   ///< by which it is made
+  std::string_view title;  ///< as tables print it
+  PlannerFamily family = PlannerFamily::Baseline;
+  unsigned traits = 0;
+
+  bool has(unsigned trait) const { return (traits & trait) == trait; }
+};
+
 /// One planner per thread: it keeps scratch memory between calls.
 class Planner {
  public:
   virtual ~Planner() = default;
-  virtual std::string_view name() const = 0;
-  /// Whether its failure proves that no path exists.
-  virtual bool complete() const = 0;
-  /// Throws `std::invalid_argument` for a query that is not finite or has a negative band.
-  virtual Plan plan(const Scene& scene, const Query& query) = 0;
+  virtual const PlannerInfo& info() const = 0;
+  /// Throws `std::invalid_argument` for a query that is not finite or has a negative band, and for
+  /// a negative limit.
+  virtual Plan plan(const Scene& scene, const Query& query, const Budget& budget = {}) = 0;
+
+  std::string_view name() const { return info().name; }
+  bool complete() const { return info().has(Trait::Complete); }
 };
-
-/// The levels that a query's band leaves open, clipped to the frame.
-LevelRange levels_of(const GridFrame& frame, const Query& query);
-
-/// Bezier's search, see `BezierPlanner`.
-struct BezierOptions {
-  int offsets = 41;      ///< M, offsets tried for each of the two control points, odd and >= 1
-  double reach = 60.0;   ///< largest sideways offset [m], > 0
-  int z_offsets = 1;     ///< offsets tried in height for both control points together, odd and >= 1
-  double z_reach = 0.0;  ///< largest offset in height [m], >= 0
-  int segments = 64;     ///< straight pieces that the curve is flown in, 2 to 100000
-};
-
-/// The linearised searches, see `LinearisedPlanner`.
-struct LinearisedOptions {
-  double alpha = 0.0;       ///< of the first search; 0: from the weights
-  double tolerance = 0.01;  ///< of Eq. (5): `sweep` stops when path and bound are this close, >= 0
-  int searches = 12;        ///< that `sweep` makes at most, >= 1
-  std::int64_t effort = 0;  ///< expansions that `sweep` may spend after its first path; 0: no limit
-  /// Labels and cells that `sweep` may spend on closing the gap that is left, >= 0.
-  std::int64_t closing = 200000;
-};
-
-/// The exact search, see `ParetoPlanner`.
-struct ParetoOptions {
-  double memory = 512.0;  ///< for its labels; more is `OutOfBudget` [MB], > 0
-  double eps = 0.0;       ///< Eq. (5) + W_P p_max may be this part above its optimum, >= 0
-};
-
-/// riskA*, see `RiskAStarPlanner`.
-struct RiskOptions {
-  double length_factor = 0.1;  ///< what a metre costs beside its risk (0 to 1 a metre), > 0
-};
-
-/// ARA*, see `AraStarPlanner`.
-struct AraOptions {
-  double first_weight = 3.0;  ///< of the heuristic in the first round, 1 to 100
-  double step = 0.5;          ///< by which it falls from round to round, to 1; >= 0.01
-};
-
-/// Tangent Bug, see `BugPlanner`.
-struct BugOptions {
-  double range = 50.0;  ///< how far it sees [m], >= 0; 0: only what it touches
-};
-
-/// The optimised Hermite curve, see `HermitePlanner`.
-struct HermiteOptions {
-  int segments = 64;    ///< straight pieces that the curve is flown in, 2 to 100000
-  int starts = 5;       ///< sideways tangents tried at each end to begin with, odd and >= 1
-  double reach = 3.0;   ///< the largest of them, in direct lengths, over 0, at most 1000
-  int refined = 4;      ///< the best so many of those curves are optimised, >= 1
-  int iterations = 24;  ///< rounds of the optimisation of each, >= 0
-};
-
-/// What every planner can be told. A planner ignores what does not concern it.
-struct PlannerOptions {
-  PenaltyWeights weights;
-  std::int64_t max_expansions = 0;  ///< give up (`OutOfBudget`) after so many; 0: no limit
-  /// Eq. (9) as printed lacks the factor W_L, so that its heuristic weighs 1 / W_L too much. True
-  /// scales it.
-  bool scaled_heuristic = false;
-  /// Frees the path from the grid's directions, see `Refiner`: never a larger penalty.
-  bool refine = false;
-  BezierOptions bezier;
-  LinearisedOptions linearised;
-  ParetoOptions pareto;
-  AraOptions ara;
-  RiskOptions risk;
-  BugOptions bug;
-  HermiteOptions hermite;
-
-  void check() const;  ///< throws `std::invalid_argument` that names the field
-};
-
-/// The planners' names, in the order of the paper's tables.
-const std::vector<std::string_view>& planner_names();
-
-/// Makes a planner by its name; `auto` is what a UAV should fly. Throws `std::invalid_argument` for
-/// an unknown one, listing those known.
-std::unique_ptr<Planner> make_planner(std::string_view name = "auto",
-                                      const PlannerOptions& options = {});
 
 }  // namespace ltp

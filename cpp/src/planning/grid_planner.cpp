@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The ltp authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltp/planning/grid_planner.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "ltp/geometry/check.hpp"
+
+namespace ltp {
+namespace {
+
+[[noreturn]] void broken(const std::string& what) {
+  throw std::logic_error("ltp: a planner returned a path that " + what + " (please report this)");
+}
+
+void verify(const Problem& problem, const PathRef& path) {
+  const GridFrame& frame = problem.frame();
+  if (path.rows() < 2 || path.row(0) != problem.query.start.transpose() ||
+      path.row(path.rows() - 1) != problem.query.goal.transpose()) {
+    broken("does not lead from start to goal");
+  }
+  for (Eigen::Index i = 0; i < path.rows(); ++i) {
+    const Cell cell = frame.cell_of(path.row(i).transpose());
+    if (!frame.contains(cell)) broken("leaves the window");
+    if (!problem.levels.contains(cell)) broken("leaves its levels");
+  }
+  if (problem.grid().first_blocked(path)) broken("touches a blocked cell");
+}
+
+}  // namespace
+
+void check_query(const Query& query) {
+  check::finite("start", query.start);
+  check::finite("goal", query.goal);
+  // An infinite band is open to the whole window.
+  if (!(query.band.below >= 0.0)) check::fail("band.below", query.band.below, "a number >= 0");
+  if (!(query.band.above >= 0.0)) check::fail("band.above", query.band.above, "a number >= 0");
+}
+
+LevelRange levels_of(const GridFrame& frame, const Query& query) {
+  const double low = std::min(query.start.z(), query.goal.z()) - query.band.below;
+  const double high = std::max(query.start.z(), query.goal.z()) + query.band.above;
+  const auto level = [&](double z) {
+    if (z <= frame.origin().z()) return 0;  // an open band has no cell of its own
+    if (z >= frame.upper().z()) return frame.nz() - 1;
+    return std::clamp(frame.cell_of(Point(query.start.x(), query.start.y(), z)).z(), 0,
+                      frame.nz() - 1);
+  };
+  return {level(low), level(high)};
+}
+
+Problem::Problem(const Scene& the_scene, const Query& the_query, const PenaltyWeights& the_weights)
+    : scene(the_scene), query(the_query), weights(the_weights) {
+  check_query(query);
+  start = frame().cell_of(query.start);
+  goal = frame().cell_of(query.goal);
+  levels = levels_of(frame(), query);
+  direct_length = (query.goal - query.start).norm();
+}
+
+std::optional<PlanStatus> Problem::refused() const {
+  if (!frame().contains(start) || !frame().contains(goal)) return PlanStatus::OutsideMap;
+  if (grid().blocked(goal)) return PlanStatus::GoalBlocked;
+  if (grid().blocked(start)) return PlanStatus::StartBlocked;
+  return std::nullopt;
+}
+
+Path path_through(const Problem& problem, const std::vector<Cell>& chain) {
+  const auto size = static_cast<Eigen::Index>(chain.size());
+  Path path(std::max<Eigen::Index>(size, 2), 3);
+  for (Eigen::Index i = 1; i + 1 < size; ++i) {
+    path.row(i) = problem.frame().centre(chain[i]).transpose();
+  }
+  path.row(0) = problem.query.start.transpose();
+  path.row(path.rows() - 1) = problem.query.goal.transpose();
+  return path;
+}
+
+Plan accepted(const Problem& problem, Path path, const Plan& plan) {
+  verify(problem, path);
+  Plan better;
+  better.bound = plan.bound;
+  better.stats = plan.stats;
+  better.status = PlanStatus::Found;
+  better.path = std::move(path);
+  better.tally = tally(better.path, problem.scene.priority);
+  const Point& goal = problem.query.goal;
+  better.penalty = Penalty(problem.weights, problem.direct_length)(
+      better.tally, problem.scene.priority.at(goal.x(), goal.y()));
+  return better;
+}
+
+bool Answer::offer(Path path) {
+  Plan candidate = accepted(problem_, std::move(path), plan_);
+  if (found() && !(candidate.penalty < plan_.penalty)) return false;
+  plan_ = std::move(candidate);
+  return true;
+}
+
+void Answer::take_over(Plan plan) {
+  stats = plan.stats;
+  plan_ = std::move(plan);
+}
+
+void Answer::end(PlanStatus status) {
+  if (!found()) plan_.status = status;
+}
+
+void Answer::withdraw(PlanStatus status) {
+  plan_ = Plan{};
+  plan_.status = status;
+}
+
+void Answer::prove(std::optional<double> bound) {
+  if (bound) bound = std::min(*bound, plan_.penalty);
+  plan_.bound = bound;
+}
+
+GridPlanner::GridPlanner(const PlannerInfo& info, const PenaltyWeights& weights)
+    : info_(info), weights_(weights) {
+  weights.check();
+}
+
+Plan GridPlanner::plan(const Scene& scene, const Query& query, const Budget& budget) {
+  BudgetWatch watch(budget);
+  const Stopwatch stopwatch;
+  const Problem problem(scene, query, weights_);
+  Answer answer(problem, watch);
+  if (const std::optional<PlanStatus> refused = problem.refused()) {
+    answer.end(*refused);
+  } else {
+    search(problem, answer);
+  }
+  Plan plan = answer.take();
+  plan.stats = answer.stats;
+  plan.stats.seconds = stopwatch.seconds();
+  return plan;
+}
+
+}  // namespace ltp
