@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Worlds to fly over: what stands where, what lies on the ground, and where one may land."""
 
+from typing import TYPE_CHECKING
+
+from ltp.renamed import old_names
+
 from .city import make_city
 from .classes import CLASS_COLOURS, LANDABLE_PRESETS, LandClass
 from .landable import LandingRules, landable_mask
-from .picture import world_picture
 from .priority import binary_priority, footprint, lowpass_priority, priority_map
 from .world import Datum, World
 
@@ -22,5 +25,7 @@ __all__ = [
     "lowpass_priority",
     "make_city",
     "priority_map",
-    "world_picture",
 ]
+
+if not TYPE_CHECKING:  # type checkers know the new names only
+    __getattr__ = old_names(__name__)

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The file of a `World`: one .npz without pickle, byte for byte repeatable, read with distrust."""
+"""The file of a world: one .npz without pickle, byte for byte repeatable, read with distrust."""
 
+import contextlib
 import errno
 import json
 import math
@@ -10,6 +11,7 @@ import re
 import struct
 import zipfile
 import zlib
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import IO, Any
 
@@ -18,8 +20,6 @@ from numpy.lib import format as npy
 from numpy.typing import NDArray
 
 from ltp.files import atomic_write
-
-from .world import Datum, World
 
 FORMAT = "ltp.world"
 VERSION = 1
@@ -42,6 +42,7 @@ _ARRAYS: dict[str, np.dtype[Any]] = {
     "classes": np.dtype("u1"),
 }
 _METADATA = "metadata"
+_DATUM = ("crs", "easting", "northing", "vertical")
 
 # What zipfile, zlib, numpy and json raise on garbage. A real I/O error is an OSError and goes on.
 _GARBAGE = (
@@ -57,27 +58,31 @@ _GARBAGE = (
 )
 
 
-def write_world(world: World, path: str | os.PathLike[str]) -> None:
-    """Write `world` to `path` atomically; no time stamp or machine name enters the file."""
+def write_fields(fields: Mapping[str, Any], path: str | os.PathLike[str]) -> None:
+    """Write a world to `path` atomically; no time stamp or machine name enters the file.
+
+    Args:
+        fields: those of a world by name, its datum as such a mapping too.
+        path: of the file.
+
+    Raises:
+        OSError: if the file cannot be written; whatever stood under `path` is then untouched.
+        ValueError: if name and attribution are too long.
+    """
     metadata = {
         "format": FORMAT,
         "version": VERSION,
-        "name": world.name,
-        "cell": world.cell,
-        "origin": list(world.origin),
-        "datum": {
-            "crs": world.datum.crs,
-            "easting": world.datum.easting,
-            "northing": world.datum.northing,
-            "vertical": world.datum.vertical,
-        },
-        "attribution": world.attribution,
+        "name": fields["name"],
+        "cell": fields["cell"],
+        "origin": list(fields["origin"]),
+        "datum": {name: fields["datum"][name] for name in _DATUM},
+        "attribution": fields["attribution"],
     }
     text = json.dumps(metadata, indent=1).encode()
     if len(text) > _MAX_METADATA:
         raise ValueError(f"name and attribution must fit in {_MAX_METADATA} bytes of JSON")
     arrays: dict[str, NDArray[Any]] = {_METADATA: np.frombuffer(text, dtype=np.uint8)}
-    arrays |= {name: getattr(world, name).astype(dtype) for name, dtype in _ARRAYS.items()}
+    arrays |= {name: fields[name].astype(dtype) for name, dtype in _ARRAYS.items()}
     with atomic_write(path) as file, zipfile.ZipFile(file, "w") as archive:
         for name, array in arrays.items():
             member = zipfile.ZipInfo(f"{name}.npy", date_time=(1980, 1, 1, 0, 0, 0))
@@ -88,20 +93,33 @@ def write_world(world: World, path: str | os.PathLike[str]) -> None:
                 npy.write_array(stream, array, version=(1, 0), allow_pickle=False)
 
 
-def read_world(path: str | os.PathLike[str]) -> World:
-    """Read what `write_world` wrote; every size is checked before anything is decompressed."""
-    with Path(path).open("rb") as file:
-        try:
-            return _read(file)
-        except _GARBAGE as error:
-            raise ValueError(f"{path} is not a sound world file: {error}") from error
-        except OSError as error:
-            if error.errno != errno.EINVAL:  # EINVAL: a directory that points before the file
-                raise
-            raise ValueError(f"{path} is not a sound world file: {error}") from error
+def read_fields(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """What `write_fields` wrote; every size is checked before anything is decompressed.
+
+    Shapes, types and names are as they must be; whether the values make a world, `World` decides.
+
+    Raises:
+        OSError: if the file cannot be opened or read.
+        ValueError: naming the file and the culprit, if it is not a sound world file.
+    """
+    with Path(path).open("rb") as file, blamed_on(path):
+        return _read(file)
 
 
-def _read(file: IO[bytes]) -> World:
+@contextlib.contextmanager
+def blamed_on(path: str | os.PathLike[str]) -> Iterator[None]:
+    """Turn whatever is raised on garbage into a `ValueError` that names the file."""
+    try:
+        yield
+    except _GARBAGE as error:
+        raise ValueError(f"{path} is not a sound world file: {error}") from error
+    except OSError as error:
+        if error.errno != errno.EINVAL:  # EINVAL: a directory that points before the file
+            raise
+        raise ValueError(f"{path} is not a sound world file: {error}") from error
+
+
+def _read(file: IO[bytes]) -> dict[str, Any]:
     with zipfile.ZipFile(file) as archive:
         members = _members(archive)
         text = _read_array(archive, members[_METADATA], np.dtype("u1"), None, _MAX_METADATA)
@@ -111,7 +129,7 @@ def _read(file: IO[bytes]) -> World:
         for name, dtype in _ARRAYS.items():
             arrays[name] = _read_array(archive, members[name], dtype, shape, MAX_CELLS)
             shape = arrays[name].shape
-    return World(**metadata, **arrays)
+    return {**metadata, **arrays}
 
 
 def _members(archive: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
@@ -185,7 +203,7 @@ def _fill(name: str, stream: IO[bytes], into: memoryview) -> None:
 
 
 def _parse(text: bytes) -> dict[str, Any]:
-    """Arguments for `World` from the JSON text; the values themselves are checked by `World`."""
+    """The fields in the JSON text, datum included; their values are not checked."""
     metadata = json.loads(text)
     if not isinstance(metadata, dict) or metadata.pop("format", None) != FORMAT:
         raise ValueError(f"metadata: expected format {FORMAT!r}")
@@ -194,7 +212,7 @@ def _parse(text: bytes) -> dict[str, Any]:
     expected = {"name", "cell", "origin", "datum", "attribution"}
     if metadata.keys() != expected:
         raise ValueError(f"metadata: expected keys {sorted(expected)}, found {sorted(metadata)}")
-    datum = metadata.pop("datum")
-    if not isinstance(datum, dict) or datum.keys() != {"crs", "easting", "northing", "vertical"}:
+    datum = metadata["datum"]
+    if not isinstance(datum, dict) or datum.keys() != set(_DATUM):
         raise ValueError(f"metadata: expected a datum, found {datum!r}")
-    return {**metadata, "datum": Datum(**datum)}
+    return metadata

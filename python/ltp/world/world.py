@@ -3,12 +3,13 @@
 """`World`: ground, obstacle surface and land classes of one place, on one metric frame."""
 
 import os
-from dataclasses import dataclass, fields
+from dataclasses import asdict, dataclass, fields
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .archive import blamed_on, read_fields, write_fields
 from .checks import corner, finite, heights, land_classes, positive, text
 
 if TYPE_CHECKING:
@@ -125,9 +126,8 @@ class World:
         Raises:
             OSError: if the file cannot be written; whatever stood under `path` is then untouched.
         """
-        from .archive import write_world
-
-        write_world(self, path)
+        values = {field.name: getattr(self, field.name) for field in fields(self)}
+        write_fields({**values, "datum": asdict(self.datum)}, path)
 
     @staticmethod
     def load(path: str | os.PathLike[str]) -> "World":
@@ -137,6 +137,6 @@ class World:
             OSError: if the file cannot be opened or read.
             ValueError: naming the file and the culprit, if it is not a sound world file.
         """
-        from .archive import read_world
-
-        return read_world(path)
+        values = read_fields(path)
+        with blamed_on(path):
+            return World(**{**values, "datum": Datum(**values["datum"])})

@@ -1,0 +1,6 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Worlds from real data: a folder for each kind of file, its `read` gives a `World`.
+
+The libraries that they need come with `pip install "ltp[geo]"`, and are loaded when `read` runs.
+"""

@@ -1,0 +1,7 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""OpenStreetMap extracts."""
+
+from .reader import ATTRIBUTION, read
+
+__all__ = ["ATTRIBUTION", "read"]
