@@ -11,7 +11,6 @@ from types import TracebackType
 from typing import Any, Generic, Self
 
 from .row_table import Row, RowTable
-from .rows import FLIGHTS, FlightRow
 
 
 class RowJournal(Generic[Row]):
@@ -124,10 +123,3 @@ class RowJournal(Generic[Row]):
         except OSError:
             self._file.truncate(end)
             raise
-
-
-class Journal(RowJournal[FlightRow]):
-    """Of a campaign's flights."""
-
-    def __init__(self, path: str | os.PathLike[str]) -> None:
-        super().__init__(path, FLIGHTS, "campaign", "fly flight")

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from ltp._core import GridFrame, OccupancyGrid
 
 if TYPE_CHECKING:
-    from ltp.sim.mission import Mission
-    from ltp.sim.record import FlightRecord
+    from ltp.sim import FlightRecord, MissionSetup, Step
 
 _SENSED_EVERY = 1.0  # [s]
 
@@ -68,36 +67,32 @@ class SnapshotTaker:
     def __init__(self) -> None:
         self.snapshots: list[Snapshot] = []
         self._flown: list[NDArray[np.float64]] = []
-        self._path_id = -1
-        self._events = 0
+        self._waypoints = np.empty((0, 3))
 
-    def on_start(self, mission: "Mission") -> None:
+    def on_start(self, setup: "MissionSetup") -> None:
         """See `Observer`."""
+        self._waypoints = setup.waypoints
 
-    def on_step(self, mission: "Mission") -> None:
+    def on_step(self, step: "Step") -> None:
         """See `Observer`."""
-        planner = mission.planner
-        self._flown.append(np.array(mission.position))
-        fresh = planner.events[self._events :] if planner.events_count != self._events else []
-        if planner.path_id == self._path_id and not fresh:
+        self._flown.append(step.position)
+        if not (step.path_changed or step.events):
             return
-        self._path_id = planner.path_id
-        self._events = planner.events_count
-        drops = [event for event in fresh if not event.reached]
-        index = min(planner.waypoint_index, len(planner.waypoints) - 1)
+        drops = [event for event in step.events if not event.reached]
+        index = min(step.waypoint_index, len(self._waypoints) - 1)
         self.snapshots.append(
             Snapshot(
-                time=mission.time,
+                time=step.time,
                 flown=np.array(self._flown),
-                occupied=CellMap.of(planner.map.occupied),
-                blocked=CellMap.of(planner.map.blocked),
-                path=planner.path,
-                goal=np.array(drops[0].goal) if drops else planner.waypoints[index],
+                occupied=CellMap.of(step.map.occupied),
+                blocked=CellMap.of(step.map.blocked),
+                path=step.path,
+                goal=np.array(drops[0].goal) if drops else self._waypoints[index],
                 dropped=bool(drops),
             )
         )
 
-    def on_end(self, mission: "Mission", record: "FlightRecord") -> None:
+    def on_end(self, record: "FlightRecord") -> None:
         """See `Observer`."""
 
 
@@ -108,6 +103,7 @@ class SensedTrace:
         self.cell = np.ones(2)  # edges of the cells [m]
         self._found: set[tuple[int, int]] = set()
         self._next = 0.0
+        self._last: Step | None = None
 
     @property
     def corners(self) -> NDArray[np.float64]:
@@ -115,23 +111,25 @@ class SensedTrace:
         cells = np.array(sorted(self._found), dtype=np.float64).reshape(-1, 2)
         return np.asarray(cells * self.cell)
 
-    def on_start(self, mission: "Mission") -> None:
+    def on_start(self, setup: "MissionSetup") -> None:
         """See `Observer`."""
-        self.cell = np.array(mission.config.mapping.cell)[:2]
+        self.cell = np.array(setup.config.mapping.cell)[:2]
 
-    def on_step(self, mission: "Mission") -> None:
+    def on_step(self, step: "Step") -> None:
         """See `Observer`."""
-        if mission.time < self._next - 1e-9:
+        self._last = step
+        if step.time < self._next - 1e-9:
             return
         self._next += _SENSED_EVERY
-        self._gather(mission)
+        self._gather(step)
 
-    def on_end(self, mission: "Mission", record: "FlightRecord") -> None:
+    def on_end(self, record: "FlightRecord") -> None:
         """See `Observer`."""
-        self._gather(mission)
+        if self._last is not None:
+            self._gather(self._last)
 
-    def _gather(self, mission: "Mission") -> None:
-        grid = mission.planner.map.occupied
-        here = CellMap(grid.frame, grid.columns).level(float(mission.position[2]))
+    def _gather(self, step: "Step") -> None:
+        grid = step.map.occupied
+        here = CellMap(grid.frame, grid.columns).level(float(step.position[2]))
         first = np.round(np.array(grid.frame.origin)[:2] / self.cell).astype(int)
         self._found.update(map(tuple, (np.argwhere(here) + first).tolist()))

@@ -1,0 +1,169 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Two planners over the same flown scenarios, pair by pair: what differs, and how surely."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from ..conditions import PRIORITY_MAPS
+from .bootstrap import Interval, mean_interval
+from .rows import FlightRow
+from .variants import Variant, at_ratio
+
+#: What is compared: column of `FlightRow` -> how it is called.
+MEASURES = {
+    "penalty": "flown Eq. 5",
+    "length_ratio": "length ratio",
+    "mean_priority": "mean priority",
+}
+
+
+@dataclass(frozen=True)
+class FlownVariant:
+    """The flights of one variant, by scenario."""
+
+    variant: Variant
+    flights: dict[tuple[int, int], FlightRow]  # by seed and index of the scenario
+
+    @property
+    def name(self) -> str:
+        """Of its contender."""
+        return self.variant.contender.name
+
+    @property
+    def title(self) -> str:
+        """Of its contender, for tables."""
+        return self.variant.contender.title
+
+    @property
+    def collisions(self) -> int:
+        """Flights that ended so."""
+        return sum(row.collided for row in self.flights.values())
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """A challenger against a baseline over the scenarios that both flew to the end."""
+
+    baseline: FlownVariant
+    challenger: FlownVariant
+    flown: int  # scenarios that both flew
+    pairs: int  # of these: to the end, by both
+    differences: dict[str, Interval]  # challenger - baseline, by column
+    better: int  # pairs in which the challenger's Eq. 5 is lower
+    worse: int
+
+
+def pick(rows: Iterable[FlightRow], name: str, ratio: float, priority_map: str) -> FlownVariant:
+    """The flights of one contender, at one ratio W_P / W_L over one map.
+
+    Raises:
+        ValueError: if there are none, or they are of several worlds.
+    """
+    wanted = at_ratio(ratio, name, priority_map)
+    mine = [row for row in rows if row.variant == wanted]
+    if not mine:
+        raise ValueError(f"no flights of {name} at W_P/W_L = {ratio:g} over the {priority_map} map")
+    if len({row.world for row in mine}) > 1:
+        raise ValueError(f"flights of {name} over several worlds")
+    return FlownVariant(wanted, {(row.seed, row.scenario): row for row in mine})
+
+
+def compare(baseline: FlownVariant, challenger: FlownVariant) -> Comparison:
+    """Pair the flights by scenario; intervals are of the mean difference, 95 %.
+
+    Raises:
+        ValueError: if no scenario was flown to its end by both.
+    """
+    common = sorted(baseline.flights.keys() & challenger.flights.keys())
+    pairs = [(baseline.flights[key], challenger.flights[key]) for key in common]
+    ended = [pair for pair in pairs if all(row.outcome == "reached" for row in pair)]
+    if not ended:
+        raise ValueError(f"{baseline.name} and {challenger.name} flew no scenario both to its end")
+    differences = {
+        name: [getattr(b, name) - getattr(a, name) for a, b in ended] for name in MEASURES
+    }
+    gained = differences["penalty"]
+    return Comparison(
+        baseline=baseline,
+        challenger=challenger,
+        flown=len(common),
+        pairs=len(ended),
+        differences={name: mean_interval(values) for name, values in differences.items()},
+        better=sum(value < 0.0 for value in gained),
+        worse=sum(value > 0.0 for value in gained),
+    )
+
+
+def compare_all(
+    rows: Sequence[FlightRow], planners: Sequence[str], ratio: float, priority_maps: Sequence[str]
+) -> list[Comparison]:
+    """The first planner against each of the others, map by map.
+
+    Raises:
+        ValueError: if there is no other planner, or flights are missing.
+    """
+    first, *others = planners or ("",)
+    if not others:
+        raise ValueError("a comparison takes two planners or more, the baseline first")
+    return [
+        compare(pick(rows, first, ratio, kind), pick(rows, other, ratio, kind))
+        for kind in priority_maps
+        for other in others
+    ]
+
+
+def flown_maps(rows: Iterable[FlightRow], planners: Sequence[str], ratio: float) -> list[str]:
+    """The maps over which all of the planners were flown at this ratio."""
+    flown = {row.variant for row in rows}
+    return [
+        kind
+        for kind in PRIORITY_MAPS
+        if all(at_ratio(ratio, planner, kind) in flown for planner in planners)
+    ]
+
+
+def cells(comparison: Comparison) -> list[str]:
+    """A line of a table."""
+    return [
+        f"{comparison.challenger.title} – {comparison.baseline.title}",
+        comparison.challenger.variant.priority_map,
+        f"{comparison.pairs}/{comparison.flown}",
+        *(interval_text(comparison.differences[name]) for name in MEASURES),
+        f"{comparison.better} : {comparison.worse}",
+        f"{comparison.challenger.collisions}, {comparison.baseline.collisions}",
+    ]
+
+
+TITLES = (
+    "difference",
+    "map",
+    "pairs",
+    *MEASURES.values(),
+    "better : worse",
+    "collisions",
+)
+
+
+def interval_text(interval: Interval) -> str:
+    """Mean and ends, signed."""
+    mean, low, high = (
+        f"{value:+.3f}".replace("-", "−") for value in (interval.mean, interval.low, interval.high)
+    )
+    return f"{mean} [{low}, {high}]"
+
+
+def markdown_comparisons(comparisons: Sequence[Comparison]) -> str:
+    """The table in Markdown, with what it shows."""
+    first = comparisons[0].baseline
+    world = next(iter(first.flights.values())).world
+    lines = [
+        f"# Paired comparison: {world}, W_P/W_L = {first.variant.ratio:g}\n",
+        "Mean difference over the global paths that both planners flew to the end, with its 95 % "
+        "confidence interval (BCa bootstrap, 10,000 resamples). Lower is better for Eq. 5 and for "
+        "the length. Collisions are of all flights: the first planner's, the second's.\n",
+        "| " + " | ".join(TITLES) + " |",
+        "|" + "|".join([" --- "] * 2 + [" ---: "] * (len(TITLES) - 2)) + "|",
+    ]
+    lines += ["| " + " | ".join(cells(comparison)) + " |" for comparison in comparisons]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,249 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tables I and II of the paper from the rows of a campaign, the paper's own numbers beside ours."""
+
+import csv
+import io
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..conditions import PRIORITY_MAPS, map_title
+from .paper import PAPER, PaperRow
+from .rows import FlightRow
+from .variants import TABLE_I, TABLE_II, Variant, with_refined
+
+
+@dataclass(frozen=True)
+class Spread:
+    """Mean and sample standard deviation (n - 1); nan where there are too few values."""
+
+    mean: float
+    sd: float
+
+    @staticmethod
+    def of(values: Sequence[float]) -> "Spread":
+        """Of plain numbers."""
+        array = np.array(values, dtype=np.float64)
+        mean = float(array.mean()) if len(array) else math.nan
+        return Spread(mean, float(array.std(ddof=1)) if len(array) > 1 else math.nan)
+
+
+@dataclass(frozen=True)
+class Summary:
+    """All flights of one variant. Means are over the flights that came to an end (`completed`)."""
+
+    world: str
+    variant: Variant
+    flights: int
+    completed: int  # the end of the global path was reached, or proved unreachable
+    timed_out: int
+    collisions: int
+    dropped: int  # waypoints, of all flights together
+    wrongly_dropped: int
+    mean_priority: Spread
+    length_ratio: Spread
+    min_clearance: float  # the smallest of all flights [m]
+    plans: int
+    time_mean: float  # of a search, over all searches of all flights [ms]
+    time_median: float
+    time_p95: float
+    paper: PaperRow | None
+
+
+def summarise(variant: Variant, rows: Iterable[FlightRow]) -> Summary:
+    """Gather the rows of one variant from among others; all must be of one world.
+
+    Raises:
+        ValueError: if the rows are of several worlds.
+    """
+    mine = [row for row in rows if row.variant == variant]
+    if len(worlds := {row.world for row in mine}) > 1:
+        raise ValueError(f"rows of several worlds in one table: {', '.join(sorted(worlds))}")
+    ended = [row for row in mine if row.outcome == "reached"]
+    times = np.array([time for row in mine for time in row.plan_times])
+    return Summary(
+        world=mine[0].world if mine else "",
+        variant=variant,
+        flights=len(mine),
+        completed=len(ended),
+        timed_out=sum(row.outcome == "timed_out" for row in mine),
+        collisions=sum(row.collided for row in mine),
+        dropped=sum(row.dropped for row in mine),
+        wrongly_dropped=sum(row.wrongly_dropped for row in mine),
+        mean_priority=Spread.of([row.mean_priority for row in ended]),
+        length_ratio=Spread.of([row.length_ratio for row in ended]),
+        min_clearance=min((row.min_clearance for row in mine), default=math.nan),
+        plans=sum(row.plans for row in mine),
+        time_mean=float(times.mean()) if len(times) else math.nan,
+        time_median=float(np.median(times)) if len(times) else math.nan,
+        time_p95=float(np.percentile(times, 95)) if len(times) else math.nan,
+        paper=PAPER.get(variant),
+    )
+
+
+def table_variants(rows: Iterable[FlightRow]) -> dict[str, list[Variant]]:
+    """The tables that the rows can fill: title -> variants, in the paper's order.
+
+    What was flown with refinement follows what was flown without. Variants that are in neither
+    table of the paper gather by their map.
+    """
+    flown = list(dict.fromkeys(row.variant for row in rows))
+    first, second = with_refined(TABLE_I), with_refined(TABLE_II)
+    tables = {
+        "Table I: binary priority map": [variant for variant in first if variant in flown],
+        "Table II: low-pass priority map": [variant for variant in second if variant in flown],
+    }
+    others = [variant for variant in flown if variant not in first + second]
+    for kind in PRIORITY_MAPS:
+        mine = [variant for variant in others if variant.priority_map == kind]
+        tables[f"Not in the paper's tables: {map_title(kind)}"] = mine
+    return {title: variants for title, variants in tables.items() if variants}
+
+
+def table_cells(summaries: Sequence[Summary]) -> tuple[list[str], list[list[tuple[str, bool]]]]:
+    """The titles of the columns, and a line a row: texts, and which are the best of a column.
+
+    The paper marks the best in red. All rows whose rounded value is the best are marked.
+    """
+    marks = [column.marks(summaries) for column in _COLUMNS]
+    lines = [
+        [(column.show(summary), mark[i]) for column, mark in zip(_COLUMNS, marks, strict=True)]
+        for i, summary in enumerate(summaries)
+    ]
+    return [column.title for column in _COLUMNS], lines
+
+
+def markdown_table(summaries: Sequence[Summary]) -> str:
+    """One table in Markdown; the best values are bold."""
+    titles, lines = table_cells(summaries)
+    rules = [" --- " if column.text else " ---: " for column in _COLUMNS]
+    text = ["| " + " | ".join(titles) + " |", "|" + "|".join(rules) + "|"]
+    for line in lines:
+        cells = [f"**{cell}**" if best else cell for cell, best in line]
+        text.append("| " + " | ".join(cells) + " |")
+    return "\n".join(text) + "\n"
+
+
+def brief_cells(
+    summaries: Sequence[Summary],
+) -> tuple[list[str], list[tuple[list[tuple[str, bool]], list[str] | None]]]:
+    """As `table_cells`, for 80 columns: a line of ours, and one of the paper's where it has one."""
+    titles, lines = table_cells(summaries)
+    ours = [titles.index(title) for title in _BRIEF]
+    paper = [titles.index(title) if title else None for title in _BRIEF_PAPER]
+    pairs = []
+    for summary, line in zip(summaries, lines, strict=True):
+        theirs = ["" if index is None else line[index][0] for index in paper]
+        theirs[0] = "  paper"
+        pairs.append(([line[index] for index in ours], theirs if summary.paper else None))
+    return list(_BRIEF.values()), pairs
+
+
+def csv_table(summaries: Iterable[Summary]) -> str:
+    """The same numbers, unrounded, as CSV."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(_CSV_COLUMNS)
+    for summary in summaries:
+        values = [get(summary) for get in _CSV_COLUMNS.values()]
+        writer.writerow(["" if value is None or value != value else value for value in values])
+    return text.getvalue()
+
+
+@dataclass(frozen=True)
+class _Column:
+    title: str
+    show: Callable[[Summary], str]
+    rank: Callable[[Summary], float] | None = None  # the smallest is the best; None marks none
+    text: bool = False
+
+    def marks(self, summaries: Sequence[Summary]) -> list[bool]:
+        """Which are the best, to three significant digits: rounding makes them equal."""
+        if self.rank is None or len(summaries) < 2:
+            return [False] * len(summaries)
+        ranks = [float(f"{self.rank(summary):.3g}") for summary in summaries]
+        best = min((rank for rank in ranks if not math.isnan(rank)), default=math.nan)
+        return [rank == best for rank in ranks]
+
+
+def _spread(spread: Spread) -> str:
+    if math.isnan(spread.mean):
+        return "–"
+    return f"{spread.mean:.2f}" + ("" if math.isnan(spread.sd) else f" ({spread.sd:.2f})")
+
+
+def _time(value: float | None) -> str:
+    if value is None or math.isnan(value):
+        return "–"
+    return f"{value:.1f}" if value >= 10.0 else f"{value:.2f}"
+
+
+def _paper(show: Callable[[PaperRow], str]) -> Callable[[Summary], str]:
+    return lambda summary: show(summary.paper) if summary.paper else "–"
+
+
+_COLUMNS = (
+    _Column("algorithm", lambda s: s.variant.contender.title, text=True),
+    _Column("W_L", lambda s: f"{s.variant.length_weight:g}"),
+    _Column("W_P", lambda s: f"{s.variant.priority_weight:g}"),
+    _Column("mean P (SD)", lambda s: _spread(s.mean_priority), lambda s: -s.mean_priority.mean),
+    _Column("paper: P", _paper(lambda p: f"{p.mean_priority:.2f} ({p.mean_priority_sd:.2f})")),
+    _Column("L_LP/L_GP (SD)", lambda s: _spread(s.length_ratio), lambda s: s.length_ratio.mean),
+    _Column("paper: L", _paper(lambda p: f"{p.length_ratio:.2f} ({p.length_ratio_sd:.2f})")),
+    _Column("ms per plan", lambda s: _time(s.time_mean), lambda s: s.time_mean),
+    _Column("paper: ms", _paper(lambda p: "–" if p.time_plan is None else f"{p.time_plan:g}")),
+    _Column("median ms", lambda s: _time(s.time_median)),
+    _Column("95 % ms", lambda s: _time(s.time_p95)),
+    _Column("completed", lambda s: f"{s.completed}/{s.flights}"),
+    _Column("waypoints dropped (wrongly)", lambda s: f"{s.dropped} ({s.wrongly_dropped})"),
+    _Column("collisions", lambda s: str(s.collisions)),
+    _Column("smallest clearance [m]", lambda s: _spread(Spread(s.min_clearance, math.nan))),
+)
+
+#: Columns of the brief table, their short titles, and the paper's columns below them.
+_BRIEF = {
+    "algorithm": "algorithm",
+    "W_L": "W_L",
+    "W_P": "W_P",
+    "mean P (SD)": "P",
+    "L_LP/L_GP (SD)": "L",
+    "ms per plan": "ms",
+    "95 % ms": "95 %",
+    "completed": "done",
+    "waypoints dropped (wrongly)": "dropped",
+    "collisions": "hits",
+    "smallest clearance [m]": "clear",
+}
+_BRIEF_PAPER = ("", "", "", "paper: P", "paper: L", "paper: ms", "", "", "", "", "")
+
+_CSV_COLUMNS: dict[str, Callable[[Summary], object]] = {
+    "world": lambda s: s.world,
+    "planner": lambda s: s.variant.planner,
+    "length_weight": lambda s: s.variant.length_weight,
+    "priority_weight": lambda s: s.variant.priority_weight,
+    "priority_map": lambda s: s.variant.priority_map,
+    "refine": lambda s: "yes" if s.variant.refine else "no",
+    "mean_priority": lambda s: s.mean_priority.mean,
+    "mean_priority_sd": lambda s: s.mean_priority.sd,
+    "paper_mean_priority": lambda s: s.paper and s.paper.mean_priority,
+    "paper_mean_priority_sd": lambda s: s.paper and s.paper.mean_priority_sd,
+    "length_ratio": lambda s: s.length_ratio.mean,
+    "length_ratio_sd": lambda s: s.length_ratio.sd,
+    "paper_length_ratio": lambda s: s.paper and s.paper.length_ratio,
+    "paper_length_ratio_sd": lambda s: s.paper and s.paper.length_ratio_sd,
+    "flights": lambda s: s.flights,
+    "completed": lambda s: s.completed,
+    "timed_out": lambda s: s.timed_out,
+    "collisions": lambda s: s.collisions,
+    "dropped": lambda s: s.dropped,
+    "wrongly_dropped": lambda s: s.wrongly_dropped,
+    "min_clearance": lambda s: s.min_clearance,
+    "plans": lambda s: s.plans,
+    "time_plan_mean_ms": lambda s: s.time_mean,
+    "time_plan_median_ms": lambda s: s.time_median,
+    "time_plan_p95_ms": lambda s: s.time_p95,
+    "paper_time_plan_ms": lambda s: s.paper and s.paper.time_plan,
+}

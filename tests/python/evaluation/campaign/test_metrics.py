@@ -1,0 +1,159 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Metrics of a flight, and the judge of dropped waypoints against an obvious reference."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy import ndimage
+
+from ltp import _core as core
+from ltp._core import PenaltyWeights, PlannerOptions
+from ltp.evaluation.campaign.metrics import (
+    TimeStatistics,
+    end_distance,
+    flight_row,
+    flown_penalty,
+    wrongly_dropped,
+)
+from ltp.evaluation.campaign.reachability import TrueCells
+from ltp.evaluation.scenarios import Scenario
+from ltp.world import World
+from tests.python.scenes import box_world, event, record
+
+MAPPING = core.ObstacleMapOptions()
+
+
+def random_world(seed: int) -> World:
+    """Random 10 m blocks on a slope: yards and dead ends at every altitude."""
+    rng = np.random.default_rng(seed)
+    heights = rng.uniform(2.0, 30.0, (12, 10)) * (rng.random((12, 10)) < 0.6)
+    ground = np.broadcast_to(np.linspace(0.0, 6.0, 120)[:, None], (120, 100))
+    surface = ground + np.kron(heights, np.ones((10, 10)))
+    return World("blocks", ground, surface, np.zeros((120, 100), np.uint8), 1.0)
+
+
+def reference_free(world: World, ring: int = 8) -> tuple[np.ndarray, np.ndarray]:
+    """Free 2 x 2 x 4 m cells, inflated by one cell, by loops over the world; and their origin."""
+    nx, ny = (n // 2 + 2 * ring for n in world.shape)
+    nz = math.ceil(world.surface.max() / 4.0) + 4
+    solid = np.zeros((nx, ny, nz), dtype=bool)
+    for i in range(world.shape[0] // 2):
+        for j in range(world.shape[1] // 2):
+            top = world.surface[2 * i : 2 * i + 2, 2 * j : 2 * j + 2].max()
+            for k in range(nz):
+                solid[i + ring, j + ring, k] = 4.0 * k < top
+    blocked = ndimage.binary_dilation(solid, np.ones((3, 3, 3)))  # 1 m reaches each neighbour
+    return ~blocked, np.array([-2.0 * ring, -2.0 * ring, 0.0])
+
+
+@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("band", [(0.0, 0.0), (4.0, 8.0), (math.inf, math.inf)])
+def test_reachable_is_being_in_one_component(seed: int, band: tuple[float, float]) -> None:
+    # Without corner cutting 26 neighbours reach what 6 reach: scipy's labels are the reference.
+    world = random_world(seed)
+    cells = TrueCells(world, MAPPING)
+    free, origin = reference_free(world)
+    rng = np.random.default_rng(100 + seed)
+    spots = np.argwhere(free[8:-8, 8:-8, :4]) + np.array([8, 8, 0])  # over the world, low
+    answers = set()
+    for _ in range(60):
+        a, b = spots[rng.integers(len(spots), size=2)]
+        low = max(0, int(min(a[2], b[2]) - min(band[0], 1e3) // 4))
+        high = min(free.shape[2] - 1, int(max(a[2], b[2]) + min(band[1], 1e3) // 4))
+        labels, _ = ndimage.label(free[:, :, low : high + 1])
+        expected = labels[a[0], a[1], a[2] - low] == labels[b[0], b[1], b[2] - low]
+        start, goal = (origin + (cell + 0.5) * (2.0, 2.0, 4.0) for cell in (a, b))
+        found = cells.reachable(start, goal, below=band[0], above=band[1])
+        assert found == expected
+        answers.add(found)
+    assert answers == {True, False} or band[1] > 0.0  # planar flight has dead ends
+
+
+def courtyard() -> World:
+    """A closed yard with free cells in the middle, 40 m x 40 m inside."""
+    return box_world(
+        [(60, 120, 50, 60), (60, 120, 100, 110), (60, 70, 50, 110), (110, 120, 50, 110)]
+    )
+
+
+def test_a_yard_is_reached_over_the_roof_only() -> None:
+    cells = TrueCells(courtyard(), MAPPING)
+    outside, inside = (20.0, 80.0, 40.0), (90.0, 80.0, 40.0)
+    assert not cells.reachable(outside, inside, below=0.0, above=0.0)
+    assert not cells.reachable(outside, inside, below=0.0, above=36.0)
+    assert cells.reachable(outside, inside, below=0.0, above=60.0)
+    assert cells.reachable(inside, (80.0, 70.0, 40.0), below=0.0, above=0.0)
+
+
+def test_one_may_fly_round_the_edge_of_the_world() -> None:
+    wall = box_world([(90, 110, 0, 160)])
+    cells = TrueCells(wall, MAPPING)
+    assert cells.reachable((20.0, 80.0, 30.0), (180.0, 80.0, 30.0), below=0.0, above=0.0)
+    assert cells.reachable((20.0, 80.0, 300.0), (180.0, 80.0, 300.0), below=0.0, above=0.0)
+    assert cells.reachable((-500.0, 80.0, 30.0), (180.0, 900.0, 30.0), below=0.0, above=0.0)
+
+
+def test_a_goal_in_the_solid_is_out_of_reach() -> None:
+    cells = TrueCells(box_world([(60, 120, 50, 110)]), MAPPING)
+    assert not cells.reachable((20.0, 80.0, 30.0), (90.0, 80.0, 30.0))
+
+
+def test_from_a_blocked_cell_one_leaves_on_the_side_where_one_is() -> None:
+    # 1.2 m beside the yard's inner wall: blocked by inflation; the nearest free cell is inside.
+    cells = TrueCells(courtyard(), MAPPING)
+    beside_wall = (71.2, 80.0, 40.0)
+    assert cells.reachable(beside_wall, (90.0, 80.0, 40.0), below=0.0, above=0.0)
+    assert not cells.reachable(beside_wall, (20.0, 80.0, 40.0), below=0.0, above=0.0)
+
+
+def test_wrong_drops_are_found_and_right_ones_left_alone() -> None:
+    where = {"position": (20.0, 80.0, 40.0)}
+    inside = event(0, "dropped", "unreachable", goal=(90.0, 80.0, 40.0), **where)
+    in_wall = event(1, "dropped", "goal_blocked", goal=(65.0, 80.0, 40.0), **where)
+    open_field = event(2, "dropped", "unreachable", goal=(180.0, 80.0, 40.0), **where)
+    reached = event(3, goal=(180.0, 80.0, 40.0), **where)
+    flight = record([inside, in_wall, open_field, reached])
+    assert wrongly_dropped(flight, courtyard()) == [open_field]
+    assert wrongly_dropped(record([reached]), courtyard()) == []
+
+
+def test_a_window_off_the_lattice_is_refused() -> None:
+    strange = event(0, "dropped", "unreachable", goal=(90.0, 80.0, 40.0))
+    object.__setattr__(strange, "window_origin", (0.7, 0.0, 0.0))
+    with pytest.raises(ValueError, match="window_origin"):
+        wrongly_dropped(record([strange]), courtyard())
+
+
+def test_the_penalty_of_a_flight_is_equation_5() -> None:
+    options = PlannerOptions(weights=PenaltyWeights(length=0.5, priority=2.0))
+    flight = record(length=60.0, planner_options=options)
+    assert flown_penalty(flight) == pytest.approx(0.5 * 60.0 / 50.0 - 2.0 * 0.75)
+    assert end_distance(flight) == 0.0
+
+
+def test_time_statistics() -> None:
+    seconds = np.array([0.004, 0.001, 0.002, 0.003])
+    statistics = TimeStatistics.of(seconds)
+    assert statistics is not None
+    assert statistics.mean == pytest.approx(0.0025)
+    assert statistics.median == pytest.approx(0.0025)
+    assert statistics.p95 == pytest.approx(np.quantile(seconds, 0.95))
+    assert TimeStatistics.of(np.array([])) is None
+
+
+def test_a_row_holds_what_the_record_says() -> None:
+    drop = event(0, "dropped", "unreachable", goal=(180.0, 80.0, 40.0), position=(20.0, 80.0, 40.0))
+    flight = record([drop, event(1)], seconds=(0.001, 0.003))
+    scenario = Scenario(4, 9, flight.global_path, crosses_building=True)
+    row = flight_row(flight, scenario, "abc", 1.5, courtyard())
+    assert (row.key, row.scenario, row.seed, row.crosses_building) == ("abc", 4, 9, True)
+    assert (row.waypoints, row.reached, row.dropped) == (2, 1, 1)
+    assert (row.dropped_unreachable, row.dropped_goal_blocked, row.wrongly_dropped) == (1, 0, 1)
+    assert (row.outcome, row.collided, row.plans, row.expanded) == ("reached", False, 2, 14)
+    assert row.length_ratio == pytest.approx(60.0 / 50.0)
+    assert row.plan_times == [1.0, 3.0]
+    assert (row.time_plan_mean, row.time_plan_median, row.time_flight) == (2.0, 2.0, 1.5)
+    unplanned = flight_row(record(seconds=()), scenario, "abc", 1.5, courtyard())
+    assert unplanned.time_plan_mean is None and unplanned.plan_times == []

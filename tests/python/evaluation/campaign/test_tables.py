@@ -1,0 +1,144 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The tables: statistics by hand, the paper's numbers beside them, the best marked."""
+
+import csv
+import io
+import math
+import re
+import statistics
+
+import numpy as np
+import pytest
+
+from ltp.evaluation.campaign.paper import PAPER
+from ltp.evaluation.campaign.tables import (
+    Spread,
+    csv_table,
+    markdown_table,
+    summarise,
+    table_cells,
+    table_variants,
+)
+from ltp.evaluation.campaign.variants import TABLE_I, TABLE_II, TABLES, Variant
+from tests.python.scenes import row
+
+DIJKSTRA = TABLE_I[1]
+
+
+def flights(variant: Variant, priorities: list[float], **changes: object) -> list:
+    kind = {
+        "planner": variant.planner,
+        "length_weight": variant.length_weight,
+        "priority_weight": variant.priority_weight,
+        "priority_map": variant.priority_map,
+        "refine": variant.refine,
+    }
+    return [
+        row(key=f"{variant}{i}", scenario=i, mean_priority=value, **(kind | changes))
+        for i, value in enumerate(priorities)
+    ]
+
+
+def test_a_summary_is_mean_and_sample_sd_of_the_flights_that_ended() -> None:
+    rows = flights(DIJKSTRA, [0.5, 0.7, 0.9])
+    rows[0] = row(mean_priority=0.5, length_ratio=1.3, time_plans="1|2|9", dropped=2, plans=3)
+    rows += flights(DIJKSTRA, [0.0], outcome="timed_out", time_plans="100", min_clearance=0.25)
+    rows += flights(DIJKSTRA, [0.0], outcome="collided", collided=True, time_plans="")
+    rows += flights(TABLE_I[0], [0.1])
+    summary = summarise(DIJKSTRA, rows)
+    assert (summary.flights, summary.completed) == (5, 3)
+    assert (summary.timed_out, summary.collisions) == (1, 1)
+    assert summary.dropped == 6
+    assert summary.mean_priority.mean == pytest.approx(0.7)
+    assert summary.mean_priority.sd == pytest.approx(statistics.stdev([0.5, 0.7, 0.9]))
+    assert summary.length_ratio.mean == pytest.approx((1.3 + 1.1 + 1.1) / 3)
+    assert summary.min_clearance == 0.25
+    times = [1, 2, 9, 1, 2, 3, 1, 2, 3, 100]
+    assert summary.time_mean == pytest.approx(np.mean(times))
+    assert summary.time_median == pytest.approx(np.median(times))
+    assert summary.time_p95 == pytest.approx(np.percentile(times, 95))
+
+
+def test_the_papers_numbers_stand_beside_ours() -> None:
+    assert set(PAPER) == set(TABLES)
+    assert PAPER[DIJKSTRA].mean_priority / PAPER[TABLE_I[0]].mean_priority == pytest.approx(
+        1.34, abs=0.01
+    )  # "by ~34 %"
+    assert PAPER[DIJKSTRA].length_ratio / PAPER[TABLE_I[0]].length_ratio == pytest.approx(
+        1.072, abs=0.001
+    )  # "by only ~7.2 %"
+    summaries = [summarise(variant, flights(variant, [0.5, 0.6])) for variant in TABLE_I]
+    titles, lines = table_cells(summaries)
+    column = titles.index("paper: P")
+    assert [line[column][0] for line in lines] == [
+        "0.61 (0.11)",
+        "0.82 (0.06)",
+        "0.62 (0.11)",
+        "0.76 (0.09)",
+        "0.61 (0.10)",
+        "0.66 (0.12)",
+        "0.59 (0.12)",
+    ]
+    assert [line[titles.index("paper: ms")][0] for line in lines][-1] == "8.4"
+
+
+def test_the_best_values_are_marked() -> None:
+    rows = flights(TABLE_I[0], [0.5], length_ratio=1.05, time_plans="9")
+    rows += flights(TABLE_I[1], [0.8], length_ratio=1.20, time_plans="9")
+    rows += flights(TABLE_I[6], [0.4], length_ratio=1.054, time_plans="3")
+    text = markdown_table([summarise(TABLE_I[i], rows) for i in (0, 1, 6)])
+    assert re.findall(r"\*\*(.*?)\*\*", text) == ["1.05", "0.80", "1.05", "3.00"]
+    assert len({line.count("|") for line in text.splitlines()}) == 1
+    alone = markdown_table([summarise(TABLE_I[0], rows)])
+    assert "**" not in alone  # nothing to compare with
+
+
+def test_rows_find_their_tables() -> None:
+    bezier = Variant("bezier", 0.5, 1.0)
+    rows = [r for v in (*reversed(TABLES), bezier) for r in flights(v, [0.5])]
+    assert table_variants(rows) == {
+        "Table I: binary priority map": list(TABLE_I),
+        "Table II: low-pass priority map": list(TABLE_II),
+        "Not in the paper's tables: binary priority map": [bezier],
+    }
+    steep = Variant("lp-dijkstra", 0.5, 5.0, "lpf")
+    assert table_variants(flights(steep, [0.5])) == {
+        "Not in the paper's tables: low-pass priority map": [steep]
+    }
+
+
+def test_refined_rows_follow_the_plain_ones() -> None:
+    ggwp, bezier = TABLE_I[6], Variant("bezier", 0.5, 1.0)
+    flown = [ggwp.refined, bezier, bezier.refined, DIJKSTRA, ggwp]
+    rows = [r for variant in flown for r in flights(variant, [0.5, 0.6])]
+    assert list(table_variants(rows).values()) == [
+        [DIJKSTRA, ggwp, ggwp.refined],
+        [bezier, bezier.refined],
+    ]
+    summary = summarise(ggwp.refined, rows)
+    assert summary.flights == 2 and summary.paper is None
+    assert "| GGWP, refined | 1 | 0 |" in markdown_table([summary])
+    assert [line["refine"] for line in csv.DictReader(io.StringIO(csv_table([summary])))] == ["yes"]
+
+
+def test_the_csv_has_the_same_numbers_unrounded() -> None:
+    summary = summarise(DIJKSTRA, flights(DIJKSTRA, [0.1, 0.2, 0.6]))
+    (line,) = csv.DictReader(io.StringIO(csv_table([summary])))
+    assert float(line["mean_priority"]) == summary.mean_priority.mean
+    assert float(line["paper_time_plan_ms"]) == 20.0
+    assert line["world"] == "boxes" and line["flights"] == "3"
+    (empty,) = csv.DictReader(io.StringIO(csv_table([summarise(TABLE_II[0], [])])))
+    assert empty["mean_priority"] == "" and empty["paper_time_plan_ms"] == ""
+
+
+def test_two_worlds_do_not_mix() -> None:
+    rows = [row(), row(world="elsewhere")]
+    with pytest.raises(ValueError, match="boxes, elsewhere"):
+        summarise(DIJKSTRA, rows)
+
+
+def test_too_few_values_have_no_spread() -> None:
+    assert Spread.of([0.4]).mean == 0.4 and math.isnan(Spread.of([0.4]).sd)
+    assert math.isnan(Spread.of([]).mean)
+    assert "–" in markdown_table([summarise(DIJKSTRA, [])])
