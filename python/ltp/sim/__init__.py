@@ -2,15 +2,32 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The simulator: LiDAR over a true world, the local trajectory planner, guidance, a vehicle."""
 
-from ltp.sim.mission import Mission, Observer, fly
-from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WaypointEvent
+import warnings
+from typing import TYPE_CHECKING
+
+from ltp.sim.mission import Mission, fly
+from ltp.sim.observer import Observer
+from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WaypointEntry
+from ltp.sim.setup import MissionSetup
+from ltp.sim.step import Step
 
 __all__ = [
     "FlightRecord",
     "Mission",
+    "MissionSetup",
     "Observer",
     "Outcome",
     "PlanEntry",
-    "WaypointEvent",
+    "Step",
+    "WaypointEntry",
     "fly",
 ]
+
+if not TYPE_CHECKING:  # which would take any name for one of the module's
+
+    def __getattr__(name: str) -> object:
+        """The names of version 0.1, for one release."""
+        if name not in ("WayPointEvent", "WaypointEvent"):
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        warnings.warn(f"`{name}` is now `WaypointEntry`", DeprecationWarning, stacklevel=2)
+        return WaypointEntry

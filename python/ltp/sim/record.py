@@ -5,6 +5,7 @@
 import enum
 import json
 import os
+import warnings
 import zipfile
 from dataclasses import dataclass, field
 from typing import Any, Self
@@ -12,10 +13,22 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from ltp._core import PlanRecord, WaypointEvent
 from ltp.config import MissionConfig
+from ltp.config.moved import with_new_names
 from ltp.files import atomic_write
 
-_FORMAT = 1
+_FORMAT = 2
+
+
+def _old_name(old: str, name: str) -> property:
+    """An attribute under its name of version 0.1, for one release."""
+
+    def read(self: object) -> Any:
+        warnings.warn(f"`{old}` is now `{name}`", DeprecationWarning, stacklevel=2)
+        return getattr(self, name)
+
+    return property(read, doc=f"The old name of `{name}`.")
 
 
 class Outcome(enum.StrEnum):
@@ -27,8 +40,8 @@ class Outcome(enum.StrEnum):
 
 
 @dataclass(frozen=True)
-class WaypointEvent:
-    """What became of a waypoint. Points are (x, y, z), world [m]."""
+class WaypointEntry:
+    """What became of a waypoint, and when. Points are (x, y, z), world [m]."""
 
     index: int
     outcome: str  # "reached" or "dropped"
@@ -38,10 +51,23 @@ class WaypointEvent:
     goal: tuple[float, float, float]  # the waypoint
     window_origin: tuple[float, float, float]  # lowest corner of the map's window
 
+    @classmethod
+    def of(cls, event: WaypointEvent, time: float) -> Self:
+        """An event of the planner's at a time [s]."""
+        return cls(
+            index=event.index,
+            outcome="reached" if event.reached else "dropped",
+            reason="" if event.reached else event.reason.name.lower(),
+            time=time,
+            position=_point(event.position),
+            goal=_point(event.goal),
+            window_origin=_point(event.window_origin),
+        )
+
 
 @dataclass(frozen=True, eq=False)
 class PlanEntry:
-    """One answer of the planner."""
+    """One answer of the planner, and when it was given."""
 
     time: float  # [s]
     waypoint: int
@@ -53,6 +79,25 @@ class PlanEntry:
     direct_length: float  # L_direct [m]
     expanded: int
     seconds: float  # wall time; the only entry that differs from run to run
+
+    way_point = _old_name("way_point", "waypoint")
+
+    @classmethod
+    def of(cls, answer: PlanRecord, time: float) -> Self:
+        """An answer of the planner's at a time [s]."""
+        plan = answer.plan
+        return cls(
+            time=time,
+            waypoint=answer.waypoint,
+            status=plan.status.name.lower(),
+            path=plan.path,
+            penalty=plan.penalty,
+            length=plan.tally.length,
+            priority=plan.tally.priority,
+            direct_length=answer.direct_length,
+            expanded=plan.stats.expanded,
+            seconds=plan.stats.seconds,
+        )
 
 
 @dataclass(eq=False)
@@ -68,7 +113,7 @@ class FlightRecord:
     velocities: NDArray[np.float64]  # (t, 3)
     plan_index: NDArray[np.int64]  # (t,) which of `plans` was last made, -1 before the first
     waypoint_index: NDArray[np.int64]  # (t,) the waypoint flown to
-    waypoints: list[WaypointEvent]
+    waypoints: list[WaypointEntry]
     plans: list[PlanEntry]
     outcome: Outcome
     collision: tuple[float, float, float] | None  # where the true world was first touched
@@ -77,14 +122,21 @@ class FlightRecord:
     length: float  # of the flown path [m]
     metadata: dict[str, Any] = field(default_factory=dict)  # the user's own, JSON values
 
+    way_points = _old_name("way_points", "waypoints")
+    way_point_index = _old_name("way_point_index", "waypoint_index")
+
+    @property
+    def global_length(self) -> float:
+        """L_GP: length of the global path [m]."""
+        return float(np.linalg.norm(np.diff(self.global_path, axis=0), axis=1).sum())
+
     @property
     def length_ratio(self) -> float:
         """L_LP / L_GP: length flown over length of the global path."""
-        steps = np.diff(self.global_path, axis=0)
-        return self.length / float(np.linalg.norm(steps, axis=1).sum())
+        return self.length / self.global_length
 
     @property
-    def dropped(self) -> list[WaypointEvent]:
+    def dropped(self) -> list[WaypointEntry]:
         """The waypoints that were proved unreachable."""
         return [event for event in self.waypoints if event.outcome == "dropped"]
 
@@ -145,15 +197,18 @@ class FlightRecord:
             with np.load(path, allow_pickle=False) as archive:
                 arrays = {name: archive[name] for name in archive.files}
             header = json.loads(arrays.pop("header").tobytes())
-            if header.pop("format") != _FORMAT:
-                raise ValueError("another version of the format")
+            version = header.pop("format")
+            if version == 1:
+                _rename_format_1(header, arrays)
+            elif version != _FORMAT:
+                raise ValueError(f"format = {version!r}: expected 1 or {_FORMAT}")
             ends = np.cumsum(arrays.pop("plan_lengths"))
             paths = np.split(arrays.pop("plan_paths"), ends[:-1]) if len(ends) else []
             plans = [
                 PlanEntry(**entry, path=line)
                 for entry, line in zip(header.pop("plans"), paths, strict=True)
             ]
-            events = [WaypointEvent(**_tuples(event)) for event in header.pop("waypoints")]
+            events = [WaypointEntry(**_tuples(event)) for event in header.pop("waypoints")]
             return cls(
                 config=MissionConfig.from_dict(header.pop("config")),
                 outcome=Outcome(header.pop("outcome")),
@@ -171,3 +226,16 @@ _ARRAYS = ("global_path", "times", "positions", "velocities", "plan_index", "way
 
 def _tuples(values: dict[str, Any]) -> dict[str, Any]:
     return {k: tuple(v) if isinstance(v, list) else v for k, v in values.items()}
+
+
+def _point(values: NDArray[np.float64]) -> tuple[float, float, float]:
+    x, y, z = (float(value) for value in values)
+    return x, y, z
+
+
+def _rename_format_1(header: dict[str, Any], arrays: dict[str, Any]) -> None:
+    """Format 1 said `way_point`, and had the planner's options beside the other settings."""
+    for holder in (header, arrays, *header["plans"]):
+        for name in [name for name in holder if name.startswith("way_point")]:
+            holder[name.replace("way_point", "waypoint")] = holder.pop(name)
+    header["config"] = with_new_names(header["config"])

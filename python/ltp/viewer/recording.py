@@ -5,19 +5,16 @@
 import os
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ltp._core import OccupancyGrid, path_length, tally
-from ltp.sim.record import FlightRecord
+from ltp._core import ObstacleMap, OccupancyGrid, Scan, path_length, tally
+from ltp.sim import FlightRecord, MissionSetup, Step
 
 from .rerun_module import require_rerun
 from .scenery import Mesh, priority_mesh, surface_mesh
-
-if TYPE_CHECKING:
-    from ltp.sim.mission import Mission
 
 _SCAN_EVERY = 1.0  # [s]
 _CELLS_EVERY = 2.0  # [s]
@@ -44,6 +41,10 @@ class FlightRecording:
         OSError: if its folder cannot be written.
     """
 
+    _setup: MissionSetup  # since the start
+    _map: ObstacleMap  # since the first step
+    _colours: NDArray[np.uint8]  # (waypoints, 3)
+
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self._rr: Any = require_rerun()
         self._path = Path(path)
@@ -52,9 +53,6 @@ class FlightRecording:
         self._part = self._path.with_name(f".{self._path.name}.part")
         self._part.open("wb").close()  # rerun only logs that it cannot write
         self._stream: Any = None
-        self._plans = 0
-        self._events = 0
-        self._path_id = -1
         self._window: NDArray[np.float64] | None = None
         self._cells: tuple[int, bytes] = (0, b"")
         self._next_scan = 0.0
@@ -73,18 +71,18 @@ class FlightRecording:
         self._close()
         self._part.unlink(missing_ok=True)
 
-    def on_start(self, mission: "Mission") -> None:
+    def on_start(self, setup: MissionSetup) -> None:
         """Write what stays as it is: world, priority map, global path."""
-        rr = self._rr
+        rr, world, path = self._rr, setup.world, setup.global_path
+        self._setup = setup
+        self._colours = np.tile(np.array(_CYAN, dtype=np.uint8), (len(path) - 1, 1))
         self._stream = rr.RecordingStream("ltp", send_properties=False)
-        self._stream.save(self._part, default_blueprint=self._blueprint(mission))
-        world = mission.world
+        self._stream.save(self._part, default_blueprint=self._blueprint(setup))
         self._static("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP)
         self._static("world/surface", self._mesh(surface_mesh(world)))
-        self._static("world/priority", self._mesh(priority_mesh(world, mission.priority)))
-        note = f"# {world.name}\n\n{mission.config.planner}\n\n{world.attribution}"
+        self._static("world/priority", self._mesh(priority_mesh(world, setup.priority)))
+        note = f"# {world.name}\n\n{setup.config.planner}\n\n{world.attribution}"
         self._static("about", rr.TextDocument(note, media_type=rr.MediaType.MARKDOWN))
-        path = mission.global_path
         self._static("mission/global_path", rr.LineStrips3D([path], colors=_CYAN, radii=0.5))
         self._static("mission/start", rr.Points3D(path[:1], colors=_RED, radii=3.0))
         for name, colour in (
@@ -96,30 +94,31 @@ class FlightRecording:
             label = name.partition("/")[2].replace("_", " ")
             self._static(f"plots/{name}", rr.SeriesLines(colors=colour, names=label, widths=2.0))
 
-    def on_step(self, mission: "Mission") -> None:
+    def on_step(self, step: Step) -> None:
         """Write what has changed."""
-        self._stream.set_time("flight", duration=mission.time)
-        self._flown.append(np.array(mission.position))
-        self._log("uav", self._rr.Points3D(mission.position[None], colors=_WHITE, radii=2.0))
-        self._note_events(mission)
-        if mission.planner.plans_made != self._plans:
-            self._plans = mission.planner.plans_made
-            self._note_plans(mission)
-        if mission.planner.path_id != self._path_id:
-            self._path_id = mission.planner.path_id
-            self._note_path(mission)
-        if mission.time >= self._next_scan - 1e-9:
+        self._map = step.map
+        self._stream.set_time("flight", duration=step.time)
+        first = not self._flown
+        self._flown.append(step.position)
+        self._log("uav", self._rr.Points3D(step.position[None], colors=_WHITE, radii=2.0))
+        if first or step.events:
+            self._note_events(step)
+        self._note_plans(step)
+        if step.path_changed:
+            strips = [step.path] if len(step.path) else []
+            self._log("plan", self._rr.LineStrips3D(strips, colors=_YELLOW, radii=0.7))
+        if step.scan is not None and step.time >= self._next_scan - 1e-9:
             self._next_scan += _SCAN_EVERY
-            self._note_scan(mission)
-            self._note_flown(mission)
-        if mission.time >= self._next_cells - 1e-9:
+            self._note_scan(step.scan)
+            self._note_flown()
+        if step.time >= self._next_cells - 1e-9:
             self._next_cells += _CELLS_EVERY
-            self._note_map(mission)
+            self._note_map()
 
-    def on_end(self, mission: "Mission", record: FlightRecord) -> None:
+    def on_end(self, record: FlightRecord) -> None:
         """Write the last state and give the file its name."""
-        self._note_flown(mission)
-        self._note_map(mission)
+        self._note_flown()
+        self._note_map()
         text = f"{record.outcome.value}: mean priority {record.mean_priority:.2f}, "
         text += f"length ratio {record.length_ratio:.2f}, {len(record.dropped)} waypoints dropped"
         self._log("events", self._rr.TextLog(text, level="INFO"))
@@ -129,25 +128,18 @@ class FlightRecording:
         self._close()
         self._part.replace(self._path)
 
-    def _note_events(self, mission: "Mission") -> None:
-        planner = mission.planner
-        if planner.events_count != self._events:
-            for event in planner.events[self._events :]:
-                self._events += 1
-                fate = "reached" if event.reached else f"dropped: {event.reason.name.lower()}"
-                level = "INFO" if event.reached else "WARN"
-                text = f"waypoint {event.index + 1} {fate}"
-                self._log("events", self._rr.TextLog(text, level=level))
-        elif self._flown[1:]:
-            return
-        goals = planner.waypoints
-        colours = np.tile(np.array(_CYAN, dtype=np.uint8), (len(goals), 1))
-        for event in planner.events:
-            colours[event.index] = _GREEN if event.reached else _RED
-        self._log("mission/waypoints", self._rr.Points3D(goals, colors=colours, radii=2.0))
+    def _note_events(self, step: Step) -> None:
+        for event in step.events:
+            fate = "reached" if event.reached else f"dropped: {event.reason.name.lower()}"
+            level = "INFO" if event.reached else "WARN"
+            text = f"waypoint {event.index + 1} {fate}"
+            self._log("events", self._rr.TextLog(text, level=level))
+            self._colours[event.index] = _GREEN if event.reached else _RED
+        goals = self._rr.Points3D(self._setup.waypoints, colors=self._colours, radii=2.0)
+        self._log("mission/waypoints", goals)
 
-    def _note_plans(self, mission: "Mission") -> None:
-        for answer in mission.planner.plans:
+    def _note_plans(self, step: Step) -> None:
+        for answer in step.plans:
             plan = answer.plan
             milliseconds = 1e3 * plan.stats.seconds
             self._log("plots/search/milliseconds", self._rr.Scalars(milliseconds))
@@ -155,25 +147,20 @@ class FlightRecording:
                 self._log("plots/penalty/plan", self._rr.Scalars(plan.penalty))
                 self._log("plots/priority/of_plan", self._rr.Scalars(plan.tally.mean_priority))
 
-    def _note_path(self, mission: "Mission") -> None:
-        path = mission.planner.path
-        strips = [path] if len(path) else []
-        self._log("plan", self._rr.LineStrips3D(strips, colors=_YELLOW, radii=0.7))
-
-    def _note_scan(self, mission: "Mission") -> None:
-        hits = np.empty((0, 3)) if mission.scan is None else np.asarray(mission.scan.hits)
+    def _note_scan(self, scan: Scan) -> None:
+        hits = np.asarray(scan.hits)
         hits = hits[:: max(1, -(-len(hits) // _MOST_HITS))]
         self._log("lidar", self._rr.Points3D(hits, colors=_RED, radii=0.25))
 
-    def _note_flown(self, mission: "Mission") -> None:
+    def _note_flown(self) -> None:
         flown = np.array(self._flown)
         if len(flown) > 1 and path_length(flown) > 0.0:
             self._log("flown", self._rr.LineStrips3D([flown], colors=_BLUE, radii=0.8))
-            so_far = tally(flown, mission.priority).mean_priority
+            so_far = tally(flown, self._setup.priority).mean_priority
             self._log("plots/priority/flown_so_far", self._rr.Scalars(so_far))
 
-    def _note_map(self, mission: "Mission") -> None:
-        grid = mission.planner.map.occupied
+    def _note_map(self) -> None:
+        grid = self._map.occupied
         frame = grid.frame
         if self._window is None or np.any(frame.origin != self._window):
             self._window = np.array(frame.origin)
@@ -214,10 +201,10 @@ class FlightRecording:
             self._stream.disconnect()
             self._stream = None
 
-    def _blueprint(self, mission: "Mission") -> Any:
+    def _blueprint(self, setup: MissionSetup) -> Any:
         """A 3-D view that looks along the global path, the curves beside it."""
         rrb: Any = require_rerun("rerun.blueprint")
-        start, end = mission.global_path[0], mission.global_path[-1]
+        start, end = setup.global_path[0], setup.global_path[-1]
         along = (end - start) / np.linalg.norm(end - start)
         eye = rrb.EyeControls3D(
             position=start - 120.0 * along + (0.0, 0.0, 220.0),
@@ -227,7 +214,7 @@ class FlightRecording:
         view = rrb.Spatial3DView(
             origin="/",
             contents=["+ /**", "- /plots/**", "- /events"],
-            name=f"{mission.world.name}: {mission.config.planner}",
+            name=f"{setup.world.name}: {setup.config.planner}",
             eye_controls=eye,
             line_grid=False,
             background=(236, 240, 244),

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ltp._core import Raster
+from ltp.drawing.shading import sunlight
 from ltp.world import CLASS_COLOURS, LandClass, World
-from ltp.world.shading import sunlight
 
 _MOST_CELLS = 500  # along an axis, to begin with
 _MOST_QUADS = 160_000

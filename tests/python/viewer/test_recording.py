@@ -22,8 +22,7 @@ from ltp.viewer import FlightRecording, replay
 from ltp.viewer.recording import _cell_centres
 from ltp.viewer.scenery import priority_mesh, surface_mesh
 from ltp.world import World, priority_map
-
-from .scenes import box_world, town
+from tests.python.scenes import box_world, town
 
 pytest.importorskip("rerun")
 
@@ -82,13 +81,13 @@ def test_a_flight_that_fails_leaves_the_old_recording(tmp_path: Path) -> None:
     path.write_bytes(b"an older one")
 
     class Failing:
-        def on_start(self, mission) -> None: ...
+        def on_start(self, setup) -> None: ...
 
-        def on_step(self, mission) -> None:
-            if mission.tick == 5:
+        def on_step(self, step) -> None:
+            if step.time >= 0.5:
                 raise RuntimeError("engine failure")
 
-        def on_end(self, mission, record) -> None: ...
+        def on_end(self, record) -> None: ...
 
     world = town()
     with pytest.raises(RuntimeError, match="engine failure"), FlightRecording(path) as recording:

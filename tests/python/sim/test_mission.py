@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whole flights over small worlds: given a scene, when it is flown, then this happens."""
 
+import itertools
+
 import numpy as np
 import pytest
 
 import ltp
-from ltp.sim import Mission, Outcome
+from ltp.sim import MissionSetup, Outcome, Step
+from ltp.sim.log import FlightLog
 from ltp.world import LandClass, World
 
 
@@ -36,7 +39,8 @@ COMPLETE = [name for name in ltp.PLANNERS if ltp.make_planner(name).complete]
 @pytest.mark.parametrize("planner", ltp.PLANNERS)
 def test_an_open_field_is_flown_straight(planner: str) -> None:
     path = line((40, 40), (90, 40), (140, 40))
-    config = small_config(planner=planner, length_weight=1.0, priority_weight=0.0)
+    config = small_config(planner=planner)
+    config.planner_options.weights = ltp.PenaltyWeights(length=1.0, priority=0.0)
     record = ltp.fly(make_world(flat_world()), config, path)
     assert record.outcome is Outcome.REACHED
     assert record.complete
@@ -105,25 +109,97 @@ def test_starting_inside_a_building_is_a_collision_not_a_crash() -> None:
     assert record.min_clearance == 0.0
 
 
-def test_observers_see_every_step() -> None:
-    calls: list[str] = []
+class Watcher:
+    """Keeps what it is told."""
 
-    class Watcher:
-        def on_start(self, mission: Mission) -> None:
-            calls.append("start")
+    def __init__(self) -> None:
+        self.steps: list[Step] = []
+        self.calls: list[str] = []
 
-        def on_step(self, mission: Mission) -> None:
-            assert mission.scan is not None
-            calls.append("step")
+    def on_start(self, setup: MissionSetup) -> None:
+        self.setup = setup
+        self.calls.append("start")
 
-        def on_end(self, mission: Mission, record: ltp.FlightRecord) -> None:
-            calls.append("end")
+    def on_step(self, step: Step) -> None:
+        self.steps.append(step)
+        self.calls.append("step")
 
-    path = line((40, 40), (60, 40))
-    record = ltp.fly(make_world(flat_world()), small_config(), path, observers=[Watcher()])
-    assert calls[0] == "start"
-    assert calls[-1] == "end"
-    assert calls.count("step") == len(record.times)
+    def on_end(self, record: ltp.FlightRecord) -> None:
+        self.record = record
+        self.calls.append("end")
+
+
+def flown_round_a_tower() -> tuple[ltp.FlightRecord, Watcher, FlightLog]:
+    surface = flat_world()
+    surface[100:120, 60:130] = 60.0
+    watcher, log = Watcher(), FlightLog()
+    path = line((40, 100), (105, 100), (180, 100))
+    return ltp.fly(make_world(surface), small_config(), path, [watcher, log]), watcher, log
+
+
+def test_observers_are_told_every_step_once() -> None:
+    record, watcher, _ = flown_round_a_tower()
+    assert watcher.calls == ["start", *["step"] * len(record.times), "end"]
+    assert watcher.record is record
+    np.testing.assert_array_equal(watcher.setup.global_path, record.global_path)
+    np.testing.assert_array_equal(watcher.setup.waypoints, record.global_path[1:])
+
+
+def test_the_steps_are_the_record() -> None:
+    record, watcher, _ = flown_round_a_tower()
+    steps = watcher.steps
+    np.testing.assert_array_equal([step.time for step in steps], record.times)
+    np.testing.assert_array_equal([step.position for step in steps], record.positions)
+    np.testing.assert_array_equal([step.velocity for step in steps], record.velocities)
+    np.testing.assert_array_equal([step.waypoint_index for step in steps], record.waypoint_index)
+    plans = [(step.time, answer) for step in steps for answer in step.plans]
+    assert [time for time, _ in plans] == [plan.time for plan in record.plans]
+    assert [answer.plan.penalty for _, answer in plans] == [p.penalty for p in record.plans]
+    events = [(step.time, event.index, event.reached) for step in steps for event in step.events]
+    assert events == [(e.time, e.index, e.outcome == "reached") for e in record.waypoints]
+    assert len(plans) > 2
+    assert len(events) == 2
+    assert all(step.scan is not None for step in steps)
+    assert steps[-1].status == ltp.NavigationStatus.FINISHED
+
+
+def test_a_steps_path_changes_when_it_says_so() -> None:
+    _, watcher, _ = flown_round_a_tower()
+    changes = 0
+    for before, after in itertools.pairwise(watcher.steps):
+        changes += after.path_changed
+        if not after.path_changed:
+            assert after.path is before.path
+    assert watcher.steps[0].path_changed
+    assert 1 < changes < len(watcher.steps) / 10
+
+
+def test_the_flight_log_is_an_observer_as_any_other() -> None:
+    record, _, log = flown_round_a_tower()
+    again = log.record(record.outcome, record.collision)
+    assert again.positions.tobytes() == record.positions.tobytes()
+    assert again.waypoints == record.waypoints
+    assert [plan.penalty for plan in again.plans] == [plan.penalty for plan in record.plans]
+    assert (again.mean_priority, again.length) == (record.mean_priority, record.length)
+
+
+def test_the_last_step_of_a_collision_is_where_the_uav_came_to_be() -> None:
+    surface = flat_world()
+    surface[90:120, 90:120] = 60.0
+    watcher = Watcher()
+    path = line((105, 105), (180, 105))
+    record = ltp.fly(make_world(surface), small_config(), path, [watcher])
+    assert record.outcome is Outcome.COLLIDED
+    assert [step.scan is None for step in watcher.steps] == [False, True]
+    np.testing.assert_array_equal([step.position for step in watcher.steps], record.positions)
+    assert (watcher.steps[-1].plans, watcher.steps[-1].events) == ((), ())
+
+
+def test_a_record_keeps_the_settings_that_were_flown() -> None:
+    config = small_config()
+    record = ltp.fly(make_world(flat_world()), config, line((40, 40), (60, 40)))
+    config.planner_options.weights.length = 7.0
+    assert record.config.planner_options.weights.length == 0.5
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,7 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The settings of a mission, in and out of TOML."""
+
+from ltp.config.mission import MissionConfig, VehicleOptions
+
+__all__ = ["MissionConfig", "VehicleOptions"]

@@ -1,0 +1,162 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""`MissionConfig`: everything that a flight depends on but the world and the global path.
+
+It holds the core's own option objects, so each option is defined once, in C++, with its default.
+"""
+
+import copy
+import dataclasses
+import functools
+import math
+import os
+import tomllib
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Self
+
+from ltp._core import (
+    LidarOptions,
+    NavigationOptions,
+    ObstacleMapOptions,
+    PlannerOptions,
+    planner_info,
+)
+from ltp.config.moved import MOVED, warn_of, with_new_names
+from ltp.config.tables import assign, field_names, plain, toml_lines
+
+
+@dataclass(frozen=True)
+class VehicleOptions:
+    """Limits of the point-mass vehicle."""
+
+    speed: float = 3.0  # designated velocity, the paper's [m/s]
+    max_acceleration: float = 3.0  # [m/s^2]
+    max_climb: float = 2.0  # largest vertical speed, up or down [m/s]
+
+    def __post_init__(self) -> None:
+        for name in ("speed", "max_acceleration", "max_climb"):
+            _positive(f"vehicle.{name}", getattr(self, name))
+
+
+@dataclass
+class MissionConfig:
+    """What a mission flies with. Every default is the paper's, or a choice of docs/method.md.
+
+    It keeps copies of the option objects that it is given, so no two configurations share one.
+
+    Raises:
+        ValueError: for a value out of range, or a key that does not exist; it is named.
+    """
+
+    planner: str = "auto"  # one of `ltp.PLANNERS`
+    planner_options: PlannerOptions = field(default_factory=PlannerOptions)
+    priority_map: str = "binary"  # "binary" or "lpf"
+    landable: str = "wide"  # preset of the classes that may be landed on
+    fov_deg: float = 53.0  # of the look-down camera [deg]
+    step: float = 0.1  # of the simulation: scan, plan and move at 10 Hz [s]
+    time_limit_factor: float = 5.0  # of the time that the global path takes at full speed
+    hold_limit: float = 30.0  # after holding so long without a path the flight has timed out [s]
+    vehicle: VehicleOptions = field(default_factory=VehicleOptions)
+    lidar: LidarOptions = field(default_factory=LidarOptions)
+    mapping: ObstacleMapOptions = field(default_factory=ObstacleMapOptions)
+    navigation: NavigationOptions = field(default_factory=NavigationOptions)
+
+    def __post_init__(self) -> None:
+        self.check()
+
+    def check(self) -> None:
+        """Raise `ValueError` that names the first value out of range."""
+        self.planner = planner_info(self.planner).name  # an old name becomes the new one
+        for part in (self.planner_options, self.lidar, self.mapping, self.navigation):
+            part.check()  # the core checks what is its own
+        if self.mapping.max_range < self.lidar.max_range:
+            raise ValueError(
+                f"mapping.max_range = {self.mapping.max_range!r}: expected at least"
+                f" lidar.max_range = {self.lidar.max_range!r}, or the map ignores far hits"
+            )
+        if self.priority_map not in ("binary", "lpf"):
+            raise ValueError(f'priority_map = {self.priority_map!r}: expected "binary" or "lpf"')
+        for name in ("fov_deg", "step", "time_limit_factor", "hold_limit"):
+            _positive(name, getattr(self, name))
+
+    def to_dict(self) -> dict[str, Any]:
+        """All settings as plain values: numbers, strings, lists, nested dictionaries."""
+        return {name: plain(getattr(self, name)) for name in field_names(self)}
+
+    @classmethod
+    def from_dict(cls, values: dict[str, Any]) -> Self:
+        """The configuration with these settings; the others keep their defaults."""
+        for name in MOVED.keys() & values.keys():
+            warn_of(name)
+        config = cls()
+        assign(config, with_new_names(values))
+        config.check()
+        return config
+
+    def to_toml(self) -> str:
+        """All settings as a TOML document."""
+        return "\n".join(toml_lines(self.to_dict())) + "\n"
+
+    @classmethod
+    def from_toml(cls, text: str) -> Self:
+        """Read a TOML document; unknown keys are refused."""
+        try:
+            return cls.from_dict(tomllib.loads(text))
+        except tomllib.TOMLDecodeError as error:
+            raise ValueError(f"not a TOML document: {error}") from error
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Self:
+        """Read a TOML file."""
+        try:
+            return cls.from_toml(Path(path).read_text(encoding="utf-8"))
+        except ValueError as error:
+            raise ValueError(f"{path}: {error}") from error
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a TOML file."""
+        Path(path).write_text(self.to_toml(), encoding="utf-8")
+
+    def __copy__(self) -> Self:
+        return dataclasses.replace(self)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name in MOVED:
+            warn_of(name)
+            _set(self, MOVED[name], value)
+        else:
+            object.__setattr__(self, name, copy.copy(value) if field_names(value) else value)
+
+    def __getattr__(self, name: str) -> Any:  # only asked for what is not there
+        if name not in MOVED:
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+        warn_of(name)
+        return functools.reduce(getattr, MOVED[name].split("."), self)
+
+
+_init = MissionConfig.__init__
+
+
+@functools.wraps(_init)
+def _init_with_old_names(self: MissionConfig, *arguments: Any, **settings: Any) -> None:
+    old = {name: settings.pop(name) for name in MOVED if name in settings}
+    _init(self, *arguments, **settings)
+    for name, value in old.items():
+        warn_of(name)
+        _set(self, MOVED[name], value)
+    if old:
+        self.check()
+
+
+MissionConfig.__init__ = _init_with_old_names  # type: ignore[method-assign]
+
+
+def _set(holder: Any, key: str, value: Any) -> None:
+    *tables, name = key.split(".")
+    setattr(functools.reduce(getattr, tables, holder), name, value)
+
+
+def _positive(name: str, value: float) -> None:
+    if not (isinstance(value, int | float) and math.isfinite(value) and value > 0):
+        raise ValueError(f"{name} = {value!r}: expected a positive finite number")

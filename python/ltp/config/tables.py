@@ -1,0 +1,86 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Settings as nested dictionaries of plain values and as TOML, field by field."""
+
+import dataclasses
+from typing import Any
+
+
+def field_names(holder: object) -> tuple[str, ...]:
+    """Names of the settings of a dataclass or of one of the core's options; () for a value."""
+    if dataclasses.is_dataclass(holder):
+        return tuple(item.name for item in dataclasses.fields(holder))
+    return tuple(getattr(type(holder), "__fields__", ()))
+
+
+def plain(value: Any) -> Any:
+    """A setting as numbers, strings, lists and dictionaries."""
+    names = field_names(value)
+    if names:
+        return {name: plain(getattr(value, name)) for name in names}
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, tuple | list):
+        return [plain(item) for item in value]
+    return value
+
+
+def assign(holder: Any, values: dict[str, Any], prefix: str = "") -> None:
+    """Set the settings of a holder from nested dictionaries.
+
+    Args:
+        holder: a dataclass or one of the core's options; it is changed.
+        values: setting by name; what is not named keeps its value.
+        prefix: of the keys in errors.
+
+    Raises:
+        ValueError: for a key that does not exist, or a value of another kind; it is named.
+    """
+    known = field_names(holder)
+    for name, value in values.items():
+        key = prefix + name
+        if name not in known:
+            raise ValueError(f"unknown key {key!r}: expected one of {', '.join(known)}")
+        current = getattr(holder, name)
+        try:
+            if field_names(current):
+                if not isinstance(value, dict):
+                    raise ValueError(f"{key} = {value!r}: expected a table")
+                if dataclasses.is_dataclass(current):  # frozen: checked as a whole
+                    _refuse_unknown(current, value, key)
+                    value = dataclasses.replace(current, **value)  # type: ignore[type-var]
+                else:
+                    assign(current, value, key + ".")
+                    value = current
+            elif any(isinstance(current, t) != isinstance(value, t) for t in (bool, str)):
+                raise ValueError(f"{key} = {value!r}: expected {type(current).__name__}")
+            setattr(holder, name, value)
+        except TypeError as error:
+            expected = type(current).__name__
+            raise ValueError(f"{key} = {value!r}: expected {expected}") from error
+
+
+def toml_lines(values: dict[str, Any], prefix: str = "") -> list[str]:
+    """The lines of a TOML document that holds nested dictionaries of plain values."""
+    lines = [f"{k} = {_toml(v)}" for k, v in values.items() if not isinstance(v, dict)]
+    for name, table in values.items():
+        if isinstance(table, dict):
+            lines += ["", f"[{prefix}{name}]", *toml_lines(table, f"{prefix}{name}.")]
+    return lines
+
+
+def _refuse_unknown(holder: object, values: dict[str, Any], key: str) -> None:
+    for name in values:
+        if name not in field_names(holder):
+            known = ", ".join(field_names(holder))
+            raise ValueError(f"unknown key '{key}.{name}': expected one of {known}")
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
+    if isinstance(value, list):
+        return "[" + ", ".join(_toml(item) for item in value) + "]"
+    return repr(value)  # numbers; inf and nan are TOML's own words

@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The mission's settings: in and out of TOML, and what is refused."""
+
+import copy
+import dataclasses
+import math
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from ltp._core import LidarOptions, PlannerOptions
+from ltp.config import MissionConfig, VehicleOptions
+
+ROOT = Path(__file__).parents[3]
+
+
+def test_defaults_are_the_papers() -> None:
+    config = MissionConfig()
+    assert config.lidar.max_range == 50.0
+    assert list(config.mapping.dims) == [200, 200, 40]
+    assert list(config.mapping.cell) == [2.0, 2.0, 4.0]
+    assert config.vehicle.speed == 3.0
+    assert config.fov_deg == 53.0
+    weights = config.planner_options.weights
+    assert weights.priority / weights.length == 2.0
+
+
+def test_toml_round_trip_keeps_every_setting() -> None:
+    config = MissionConfig(planner="ggwp", priority_map="lpf")
+    config.planner_options.weights.length = 0.25
+    config.vehicle = VehicleOptions(speed=5.0)
+    config.lidar.pattern.rows = 16
+    config.lidar.drop_out = 0.125
+    config.planner_options.refine = True
+    config.mapping.inflation_radius = 2.5
+    config.mapping.dims = [100, 120, 20]
+    config.navigation.band = (4.0, math.inf)
+    config.planner_options.bezier.offsets = 21
+    again = MissionConfig.from_toml(config.to_toml())
+    assert again.to_dict() == config.to_dict()
+    assert again.to_dict() != MissionConfig().to_dict()
+    assert again.navigation.band == (4.0, math.inf)
+
+
+def test_the_file_is_readable(tmp_path) -> None:
+    path = tmp_path / "mission.toml"
+    MissionConfig().save(path)
+    text = path.read_text()
+    for table in ("lidar.pattern", "planner_options", "planner_options.weights"):
+        assert f"[{table}]" in text
+    assert MissionConfig.load(path).to_dict() == MissionConfig().to_dict()
+
+
+@pytest.mark.parametrize(
+    ("text", "culprit"),
+    [
+        ("plannner = 'ggwp'", "plannner"),
+        ("[lidar]\nrange = 3", "lidar.range"),
+        ("[lidar.pattern]\nrow = 3", "lidar.pattern.row"),
+        ("[vehicle]\nspeeed = 3", "vehicle.speeed"),
+        ("[vehicle]\nspeed = -3", "vehicle.speed"),
+        ("[vehicle]\nspeed = 'fast'", "vehicle.speed"),
+        ("lidar = 3", "lidar"),
+        ("[planner_options.weights]\nlength = -1", "weights.length"),
+        ("[planner_options.weights]\nlength = nan", "weights.length"),
+        ("[planner_options.weights]\nlength = 0.0\npriority = 0.0", "weights.length"),
+        ("[planner_options.weights]\nlength = 'much'", "planner_options.weights.length"),
+        ("[planner_options.weights]\nlenght = 1", "planner_options.weights.lenght"),
+        ("[planner_options]\nweights = 1", "planner_options.weights"),
+        ("planner_options = 1", "planner_options"),
+        ("step = 0.0", "step"),
+        ("planner = 'astar'", "lp-a-star"),
+        ("priority_map = 'red'", "priority_map"),
+        ("[planner_options.bezier]\noffsets = 40", "bezier.offsets"),
+        ("[planner_options.bezier]\noffsets = 'x'", "bezier.offsets"),
+        ("[planner_options]\nscaled_heuristic = 3", "scaled_heuristic"),
+        ("[mapping]\ninflation_radius = nan", "inflation_radius"),
+        ("[lidar]\nmax_range = -1", "max_range"),
+        ("[navigation]\nband = [-1, 0]", "band"),
+        ("[navigation]\nband = 3", "band"),
+        ("step = ", "TOML"),
+    ],
+)
+def test_mistakes_are_named(text: str, culprit: str) -> None:
+    with pytest.raises(ValueError, match=culprit):
+        MissionConfig.from_toml(text)
+
+
+def test_errors_in_a_file_name_the_file(tmp_path) -> None:
+    path = tmp_path / "mission.toml"
+    path.write_text("plannner = 1")
+    with pytest.raises(ValueError, match=r"mission\.toml.*plannner"):
+        MissionConfig.load(path)
+
+
+def test_the_planners_options_are_the_cores_own_object() -> None:
+    config = MissionConfig()
+    assert type(config.planner_options) is PlannerOptions
+    assert list(config.to_dict()["planner_options"]) == list(PlannerOptions.__fields__)
+
+
+def test_checking_makes_no_planner(monkeypatch: pytest.MonkeyPatch) -> None:
+    config = MissionConfig()
+
+    def refuse(*_: object) -> None:
+        raise AssertionError("a planner was made")
+
+    monkeypatch.setattr("ltp._core.Planner", refuse)
+    monkeypatch.setattr("ltp.registry.Planner", refuse)
+    config.check()
+    config.planner_options.weights.length = -1.0
+    with pytest.raises(ValueError, match=r"weights\.length = -1"):
+        config.check()
+    config.planner_options.weights.length, config.planner = 0.5, "astar"
+    with pytest.raises(ValueError, match=r"planner = 'astar': expected one of lp-dijkstra"):
+        config.check()
+
+
+OPTIONS = ["planner_options", "lidar", "mapping", "navigation"]
+
+
+@pytest.mark.parametrize(
+    "copied",
+    [copy.copy, copy.deepcopy, dataclasses.replace, lambda c: MissionConfig(**vars(c))],
+    ids=["copy", "deepcopy", "replace", "keywords"],
+)
+def test_no_two_configurations_share_options(copied: Callable) -> None:
+    first = MissionConfig()
+    second = copied(first)
+    for name in OPTIONS:
+        assert getattr(first, name) is not getattr(second, name)
+    second.planner_options.weights.length = 0.25
+    second.planner_options.bezier.offsets = 5
+    second.lidar.pattern.rows = 3
+    second.mapping.dims = [10, 10, 10]
+    second.navigation.leave_distance = 9.0
+    assert first.to_dict() == MissionConfig().to_dict()
+    assert all(second.to_dict()[name] != first.to_dict()[name] for name in OPTIONS)
+
+
+def test_options_that_are_given_are_copied() -> None:
+    options, lidar = PlannerOptions(), LidarOptions()
+    config = MissionConfig(planner_options=options)
+    config.lidar = lidar
+    options.refine, lidar.max_range = True, 7.0
+    assert not config.planner_options.refine
+    assert config.lidar.max_range == 50.0
+    config.lidar.max_range = 9.0  # in place
+    assert config.lidar.max_range == 9.0
+
+
+def test_the_settings_of_the_docs_are_current() -> None:
+    files = sorted((ROOT / "docs").glob("*.toml"))
+    assert files
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for file in files:
+            MissionConfig.load(file)
