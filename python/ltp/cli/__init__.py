@@ -2,12 +2,30 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command line, `ltp`: a thin layer that parses, calls one function, prints its result."""
 
-from . import compare, demo, evaluate, figure, flight, gap, replan, settings, world
-from .app import app
+from . import compare, config, demo, evaluate, figure, fly, gap, replay, table, version, world
+from .app import make_group
 
 __all__ = ["app", "main"]
 
-for module in (demo, flight, evaluate, compare, gap, replan, figure, settings, world):
+app = make_group(
+    "ltp",
+    "Local trajectory planning for autonomous UAV landing.\n\nFly missions over cities, evaluate "
+    "planners, draw the tables and figures. Lengths are metres, times seconds.",
+)
+
+for module in (
+    demo,
+    fly,
+    evaluate,
+    table,
+    compare,
+    gap,
+    config,
+    replay,
+    version,
+    figure,
+    world,
+):
     module.register(app)
 
 

@@ -6,7 +6,6 @@ import os
 from typing import Any
 
 import typer
-from rich.console import Console
 from typer.core import TyperGroup
 
 #: Set to anything, this environment variable lets a mistake show its whole traceback.
@@ -34,20 +33,25 @@ class PoliteGroup(TyperGroup):
             raise typer.Exit(2) from error
 
 
-app = typer.Typer(
-    name="ltp",
-    cls=PoliteGroup,
-    help="Local trajectory planning for autonomous UAV landing: fly missions over cities, "
-    "evaluate planners, draw the tables and figures. Lengths are metres, times seconds.",
-    no_args_is_help=True,
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    rich_markup_mode="markdown",
-)
+def make_group(name: str, text: str) -> typer.Typer:
+    """A command with commands below it.
+
+    Its help is plain text: boxes and colours would take longer to load than all else in `--help`.
+    """
+    return typer.Typer(
+        name=name,
+        cls=PoliteGroup,
+        help=text,
+        no_args_is_help=True,
+        add_completion=False,
+        pretty_exceptions_enable=False,
+        rich_markup_mode=None,
+        context_settings={"max_content_width": 100},
+    )
 
 
 def _complain(text: str) -> None:
-    Console(stderr=True, highlight=False, soft_wrap=True).print(f"ltp: {text}", markup=False)
+    typer.echo(f"ltp: {text}", err=True)
 
 
 def _one_line(error: BaseException) -> str:

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from .common import console, names, tell
-from .evaluate import read_flights
+from .inputs import names, read_flights
+from .naming import naming
+from .options import FlightsArgument, Ratio
+from .output import say, tell, write_text
 
 if TYPE_CHECKING:
-    from ltp.evaluation.compare import Comparison
+    from ltp.evaluation.campaign.compare import Comparison
 
 
 def register(app: typer.Typer) -> None:
@@ -20,20 +22,20 @@ def register(app: typer.Typer) -> None:
 
 
 def compare(
-    flights: Annotated[
-        Path, typer.Argument(help="flights.csv of a campaign, or the campaign's folder.")
-    ],
+    flights: FlightsArgument,
     planners: Annotated[
         str,
         typer.Option(
-            help="The baseline, then one or more to hold against it, commas between; `NAME+refine` "
-            "is one with its paths refined."
+            help="Planners to compare, with commas between: the baseline, then one or more to hold "
+            "against it; `NAME+refine` is one with its paths refined."
         ),
     ] = "lp-dijkstra,sweep",
-    ratio: Annotated[float, typer.Option(help="W_P / W_L that they were flown at.")] = 2.0,
+    ratio: Ratio = 2.0,
     maps: Annotated[
         str,
-        typer.Option(help="Priority maps, commas between (default: all that they were flown over)"),
+        typer.Option(
+            help="Priority maps, with commas between; by default all that they were flown over."
+        ),
     ] = "",
     out: Annotated[Path | None, typer.Option(help="Markdown file to write too.")] = None,
 ) -> None:
@@ -42,39 +44,39 @@ def compare(
     Prints the mean difference (second less first) of the flown Eq. 5, of the length ratio and of
     the mean priority with 95 % confidence intervals (BCa bootstrap, 10,000 seeded resamples).
     """
-    from ltp.evaluation.compare import compare_all, flown_maps, markdown_comparisons
-    from ltp.files import atomic_write
+    from ltp.evaluation.campaign.compare import compare_all, flown_maps, markdown_comparisons
 
     rows, wanted = read_flights(flights), names(planners)
-    kinds = names(maps) or flown_maps(rows, wanted, ratio)
+    if len(wanted) < 2:
+        raise ValueError(f"--planners must name two planners or more, not {planners!r}")
+    with naming(ratio="--ratio"):
+        kinds = names(maps) or flown_maps(rows, wanted, ratio)
     if not kinds:
-        raise ValueError(f"{flights} holds no map flown by all of {planners} at ratio {ratio:g}")
+        raise ValueError(
+            f"{flights} holds no map flown by all of --planners {planners} at --ratio {ratio:g}"
+        )
     found = compare_all(rows, wanted, ratio, kinds)
     for comparison in found:
         _tell(comparison)
     if out is not None:
-        with atomic_write(out) as file:
-            file.write(markdown_comparisons(found).encode())
+        write_text(markdown_comparisons(found), out)
         tell("table", out)
 
 
 def _tell(comparison: "Comparison") -> None:
-    from ltp.evaluation.compare import MEASURES, interval_text
-    from ltp.evaluation.tables import named_title
+    from ltp.evaluation.campaign.compare import MEASURES, interval_text
 
     a, b = comparison.baseline, comparison.challenger
-    console.print(
-        f"{named_title(b.planner)} less {named_title(a.planner)}, {b.priority_map} map, "
-        f"W_P/W_L = {b.ratio:g}: {comparison.pairs} pairs of {comparison.flown}",
+    say(
+        f"{b.title} less {a.title}, {b.variant.priority_map} map, "
+        f"W_P/W_L = {b.variant.ratio:g}: {comparison.pairs} pairs of {comparison.flown}",
         style="bold",
-        markup=False,
     )
     for name, title in MEASURES.items():
         interval = comparison.differences[name]
         sure = "" if interval.excludes_zero else "  (zero is in the interval)"
-        console.print(f"  {title:<15} {interval_text(interval)}{sure}", markup=False)
-    console.print(
+        say(f"  {title:<15} {interval_text(interval)}{sure}")
+    say(
         f"  Eq. 5 lower in {comparison.better}, higher in {comparison.worse} pairs; collisions: "
         f"{b.collisions} and {a.collisions}",
-        markup=False,
     )

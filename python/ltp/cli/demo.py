@@ -7,7 +7,10 @@ from typing import Annotated
 
 import typer
 
-from .common import console, open_world, tell, workers
+from .inputs import open_world, workers
+from .naming import naming
+from .options import Processes
+from .output import console, say, tell, tell_recording
 
 #: What is flown beside Table I; more lines than colours would make no picture.
 _BESIDE_THE_TABLE = ("bezier", "sweep", "auto")
@@ -20,32 +23,33 @@ def register(app: typer.Typer) -> None:
 
 def demo(
     out: Annotated[Path, typer.Option(help="Folder for all that is written.")] = Path("out/demo"),
-    paths: Annotated[int, typer.Option(help="Global paths flown by each planner.")] = 3,
-    seed: Annotated[int, typer.Option(help="Of the global paths.")] = 1,
-    processes: Annotated[int, typer.Option(help="To fly in; 0: one per processor.")] = 0,
+    paths: Annotated[int, typer.Option(help="Number of global paths.")] = 3,
+    seed: Annotated[int, typer.Option(help="Seed of the set of global paths.")] = 1,
+    processes: Processes = 0,
 ) -> None:
-    """Fly the built-in city with the paper's planners and ours: a table, a figure, a recording.
+    """Fly the built-in city with the paper's planners and ours.
 
-    The flights are straight 500 m global paths at 50 m height that lead through buildings.
+    Writes tables, a figure and a recording. The flights are straight 500 m global paths at 50 m
+    height that lead through buildings.
     """
     from ltp.config import MissionConfig
     from ltp.evaluation.campaign import RECORDS, TABLE, Campaign, run_campaign
-    from ltp.evaluation.flights import mission_config, record_path
+    from ltp.evaluation.campaign.flights import mission_config, record_path
+    from ltp.evaluation.campaign.variants import TABLE_I, Variant
     from ltp.evaluation.scenarios import ScenarioOptions, make_scenarios
-    from ltp.evaluation.variants import TABLE_I, Variant
     from ltp.sim import FlightRecord
 
-    from .evaluate import write_tables
-    from .flight import draw_summary, fly_recorded
+    from .campaign_tables import write_tables
     from .progress import CampaignProgress
+    from .recorded_flight import draw_summary, fly_recorded
 
     world, base = open_world("city"), MissionConfig()
-    scenarios = make_scenarios(world, ScenarioOptions(count=paths, seed=seed))
+    with naming("seed", count="--paths"):
+        scenarios = make_scenarios(world, ScenarioOptions(count=paths, seed=seed))
     variants = [*TABLE_I, *(Variant(name, 0.5, 1.0) for name in _BESIDE_THE_TABLE)]
-    console.print(
+    say(
         f"{world.name}: {paths} global paths at 50 m, through buildings; "
-        "the paper's planners, sweep and auto",
-        markup=False,
+        "the paper's planners, sweep and auto"
     )
     campaign = Campaign(world, variants, scenarios, base)
     rows = run_campaign(
@@ -53,7 +57,7 @@ def demo(
         out,
         processes=workers(processes),
         keep_records=True,
-        observers=[CampaignProgress(console)],
+        observers=[CampaignProgress(console())],
     )
     drawn = {variant.planner: variant for variant in variants}  # of each planner the last
     star = drawn.pop("auto")
@@ -74,5 +78,4 @@ def demo(
     tell("flights", out / TABLE)
     tell("figure", out / "demo.png")
     if recorded is not None:
-        tell("recording", recorded)
-        console.print(f"             open it with: ltp replay {recorded}", markup=False)
+        tell_recording(recorded)

@@ -1,56 +1,37 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""`ltp evaluate` flies a campaign, `ltp table` prints its tables."""
+"""`ltp evaluate`: a campaign of planners, weights and maps over many global paths."""
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from .common import (
-    Altitude,
-    Config,
-    Length,
-    Margin,
-    Reference,
-    Seed,
-    Spacing,
-    ThroughBuildings,
-    WorldArgument,
-    console,
-    names,
-    numbers,
-    open_config,
-    open_world,
-    scenario_options,
-    tell,
-    workers,
-)
+from .campaign_tables import write_tables
+from .global_paths import GlobalPaths
+from .inputs import names, numbers, open_config, open_world, workers
+from .naming import naming
+from .options import Config, PriorityMaps, Processes, ResumedFolder, WorldArgument
+from .output import console, resumable, say, tell
+from .spread import spread
 
 if TYPE_CHECKING:
-    from ltp.evaluation.rows import FlightRow
-    from ltp.evaluation.variants import Variant
+    from ltp.evaluation.campaign.variants import Variant
 
 _ROWS = ("tables", "1", "2", "none")
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands."""
+    """Add the command."""
     app.command("evaluate")(evaluate)
-    app.command("table")(table)
 
 
+@spread
 def evaluate(
+    *,
     world: WorldArgument = "city",
     paths: Annotated[int, typer.Option(help="Number of global paths.")] = 50,
-    altitude: Altitude = 50.0,
-    reference: Reference = "ground",
-    seed: Seed = 1,
-    length: Length = 500.0,
-    spacing: Spacing = 50.0,
-    margin: Margin = 20.0,
-    through_buildings: ThroughBuildings = 1.0,
+    global_paths: GlobalPaths,
     rows: Annotated[
         str,
         typer.Option(
@@ -60,158 +41,59 @@ def evaluate(
     ] = "tables",
     planners: Annotated[
         str,
-        typer.Option(help="Fly only these planners, with commas between (default: all)."),
+        typer.Option(help="Planners to fly, with commas between; by default all of the rows."),
     ] = "",
     ratios: Annotated[
         str,
         typer.Option(
-            help="Also sweep W_P / W_L with the --planners (LP-Dijkstra if none is named): numbers "
-            "with commas between, or `default` for 0 ... 20."
+            help="Ratios W_P / W_L to sweep too, with the --planners (LP-Dijkstra if none is "
+            "named): numbers with commas between, or `default` for 0 ... 20."
         ),
     ] = "",
-    maps: Annotated[
-        str, typer.Option(help="Fly only over these priority maps: `binary`, `lpf` or both.")
-    ] = "binary,lpf",
+    maps: PriorityMaps = "binary,lpf",
     refine: Annotated[
         bool,
         typer.Option("--refine", help="Fly each of these with refined paths too."),
     ] = False,
-    processes: Annotated[int, typer.Option(help="To fly in; 0: one per processor.")] = 0,
-    out: Annotated[
-        Path, typer.Option(help="Folder of the campaign; if it holds one, it is gone on with.")
-    ] = Path("out/evaluate"),
+    processes: Processes = 0,
+    out: ResumedFolder = Path("out/evaluate"),
     records: Annotated[
         bool, typer.Option("--records", help="Keep each flight's record too, for replays.")
     ] = False,
     config: Config = None,
 ) -> None:
-    """Fly planners, weights and maps over many global paths; print the paper's tables.
+    """Fly planners, weights and maps over many paths; print tables.
 
     A campaign that was stopped in any way goes on where it was when the same command is given
     again. The same command gives the same flights.csv, but for the columns time_*.
     """
     from ltp.evaluation.campaign import TABLE, Campaign, run_campaign
-    from ltp.evaluation.scenarios import make_scenarios
 
     from .progress import CampaignProgress
 
     variants = _variants(rows, planners, ratios, maps, refine)
     base = open_config(config)
     place = open_world(world)
-    options = scenario_options(
-        paths, altitude, reference, seed, length, spacing, margin, through_buildings
-    )
-    scenarios = make_scenarios(place, options)
+    scenarios = global_paths.over(place, paths)
     crossing = sum(scenario.crosses_building for scenario in scenarios)
-    console.print(
-        f"{place.name}: {len(scenarios)} global paths at {altitude:g} m above {reference}, "
-        f"{crossing} through buildings; {len(variants)} variants",
-        markup=False,
+    say(
+        f"{place.name}: {len(scenarios)} global paths at {global_paths.altitude:g} m above "
+        f"{global_paths.reference}, {crossing} through buildings; {len(variants)} variants"
     )
-    try:
+    with resumable(out, "flown"):
         flown = run_campaign(
             Campaign(place, variants, scenarios, base),
             out,
             processes=workers(processes),
             keep_records=records,
-            observers=[CampaignProgress(console)],
+            observers=[CampaignProgress(console())],
         )
-    except KeyboardInterrupt:
-        console.print(f"stopped; what was flown is kept in {out}: the same command goes on")
-        raise
     write_tables(flown, out)
     tell("flights", out / TABLE)
 
 
-def table(
-    flights: Annotated[
-        Path, typer.Argument(help="flights.csv of a campaign, or the campaign's folder.")
-    ],
-    style: Annotated[str, typer.Option("--format", help="`markdown` or `csv`.")] = "markdown",
-    out: Annotated[Path | None, typer.Option(help="File to write instead of printing.")] = None,
-) -> None:
-    """Print Table I and Table II from a campaign's flights, the paper's numbers beside ours."""
-    from ltp.files import atomic_write
-
-    if style not in ("markdown", "csv"):
-        raise ValueError(f"--format must be markdown or csv, not {style!r}")
-    rows = read_flights(flights)
-    text = _markdown(rows) if style == "markdown" else _csv(rows)
-    if out is None:
-        print(text, end="")
-        return
-    with atomic_write(out) as file:
-        file.write(text.encode())
-    tell("table", out)
-
-
-def read_flights(path: Path) -> list["FlightRow"]:
-    """The rows of a campaign, by its folder or its CSV."""
-    from ltp.evaluation.campaign import TABLE
-    from ltp.evaluation.rows import read_rows
-
-    rows = read_rows(path / TABLE if path.is_dir() else path)
-    if not rows:
-        raise ValueError(f"{path} holds no flights")
-    return rows
-
-
-def write_tables(rows: Sequence["FlightRow"], folder: Path) -> None:
-    """Print the tables and write them into a folder."""
-    from ltp.files import atomic_write
-
-    for name, text in (("tables.md", _markdown(rows)), ("tables.csv", _csv(rows))):
-        with atomic_write(folder / name) as file:
-            file.write(text.encode())
-    _print_tables(rows)
-    tell("tables", folder / "tables.md")
-
-
-def _print_tables(rows: Sequence["FlightRow"]) -> None:
-    """Narrow tables for the terminal: under each row, in grey, the paper's."""
-    from rich import box
-    from rich.table import Table
-
-    from ltp.evaluation.tables import brief_cells, summarise, table_variants
-
-    for title, variants in table_variants(rows).items():
-        titles, lines = brief_cells([summarise(variant, rows) for variant in variants])
-        grid = Table(title=title, title_justify="left", box=box.SIMPLE_HEAD, padding=0)
-        for index, name in enumerate(titles):
-            grid.add_column(name, justify="left" if index == 0 else "right", no_wrap=True)
-        for ours, paper in lines:
-            grid.add_row(*[f"[bold green]{cell}[/]" if best else cell for cell, best in ours])
-            if paper is not None:
-                grid.add_row(*paper, style="bright_black")
-        console.print(grid)
-    console.print(
-        "P mean priority, L length flown over global path's (SD); time per plan; dropped "
-        "waypoints (wrongly);\nclear: smallest clearance [m]; grey: the paper",
-        style="bright_black",
-        markup=False,
-    )
-
-
-def _markdown(rows: Sequence["FlightRow"]) -> str:
-    from ltp.evaluation.tables import markdown_table, summarise, table_variants
-
-    parts = [f"# {rows[0].world}\n"]
-    for title, variants in table_variants(rows).items():
-        summaries = [summarise(variant, rows) for variant in variants]
-        parts.append(f"## {title}\n\n{markdown_table(summaries)}")
-    return "\n".join(parts)
-
-
-def _csv(rows: Sequence["FlightRow"]) -> str:
-    from ltp.evaluation.tables import csv_table, summarise, table_variants
-
-    variants = [variant for group in table_variants(rows).values() for variant in group]
-    return csv_table([summarise(variant, rows) for variant in variants])
-
-
 def _variants(rows: str, planners: str, ratios: str, maps: str, refine: bool) -> list["Variant"]:
-    from ltp.evaluation.variants import (
-        PRIORITY_MAPS,
+    from ltp.evaluation.campaign.variants import (
         SWEEP_RATIOS,
         TABLE_I,
         TABLE_II,
@@ -220,7 +102,8 @@ def _variants(rows: str, planners: str, ratios: str, maps: str, refine: bool) ->
         unique,
         with_refined,
     )
-    from ltp.planners import PLANNERS
+    from ltp.evaluation.conditions import PRIORITY_MAPS
+    from ltp.registry import PLANNERS
 
     if rows not in _ROWS:
         raise ValueError(f"--rows must be one of {', '.join(_ROWS)}, not {rows!r}")
@@ -236,8 +119,9 @@ def _variants(rows: str, planners: str, ratios: str, maps: str, refine: bool) ->
         variants = [variant for name in wanted for variant in rows_of(name, variants)]
     if ratios:
         values = SWEEP_RATIOS if ratios == "default" else numbers("--ratios", ratios)
-        for name in wanted or ["lp-dijkstra"]:
-            variants += sweep(values, name)
+        with naming(ratio="--ratios"):
+            for name in wanted or ["lp-dijkstra"]:
+                variants += sweep(values, name)
     variants = [variant for variant in variants if variant.priority_map in kinds]
     if not variants:
         raise ValueError("nothing to fly: --rows, --planners, --ratios, --maps leave no variant")

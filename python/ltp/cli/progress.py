@@ -16,43 +16,52 @@ from rich.progress import (
 )
 
 if TYPE_CHECKING:
-    from ltp.evaluation.gap import GapRow
-    from ltp.evaluation.rows import FlightRow
-    from ltp.sim.mission import Mission
-    from ltp.sim.record import FlightRecord
+    from ltp.evaluation.campaign.rows import FlightRow
+    from ltp.evaluation.gap.rows import GapRow
+    from ltp.sim import FlightRecord, MissionSetup, Step
 
 
-def counting_bar(console: Console, what: str) -> Progress:
+class _CountedProgress:
     """A bar over things that are counted, with the time left."""
-    return Progress(
-        TextColumn(what),
-        BarColumn(bar_width=None),
-        MofNCompleteColumn(),
-        TextColumn("{task.fields[note]}"),
-        TimeElapsedColumn(),
-        TextColumn("left"),
-        TimeRemainingColumn(),
-        console=console,
-    )
+
+    def __init__(self, console: Console, what: str, made: str) -> None:
+        self._console = console
+        self._before = f"{what} were {made} before; going on"
+        self._bar = Progress(
+            TextColumn(what),
+            BarColumn(bar_width=None),
+            MofNCompleteColumn(),
+            TextColumn("{task.fields[note]}"),
+            TimeElapsedColumn(),
+            TextColumn("left"),
+            TimeRemainingColumn(),
+            console=console,
+        )
+        self._task = self._bar.add_task(what, total=None, note="")
+
+    def on_start(self, total: int, done: int) -> None:
+        """See `CampaignObserver`, `GapObserver`."""
+        if done:
+            self._console.print(f"{done} of {total} {self._before}")
+        self._bar.start()
+        # What an earlier run did must not make this one look fast.
+        self._bar.reset(self._task, total=total - done, visible=total > done)
+
+    def on_end(self) -> None:
+        """See `CampaignObserver`, `GapObserver`."""
+        self._bar.stop()
+
+    def _advance(self, note: str) -> None:
+        self._bar.update(self._task, advance=1, note=note)
 
 
-class CampaignProgress:
+class CampaignProgress(_CountedProgress):
     """A bar over the flights of a campaign."""
 
     def __init__(self, console: Console) -> None:
-        self._console = console
-        self._bar = counting_bar(console, "flights")
-        self._task = self._bar.add_task("flights", total=None, note="")
+        super().__init__(console, "flights", "flown")
         self._collisions = 0
         self._wrong = 0
-
-    def on_start(self, total: int, done: int) -> None:
-        """See `CampaignObserver`."""
-        if done:
-            self._console.print(f"{done} of {total} flights were flown before; going on")
-        self._bar.start()
-        # The flights of an earlier run must not make this one look fast.
-        self._bar.reset(self._task, total=total - done, visible=total > done)
 
     def on_flight(self, row: "FlightRow") -> None:
         """See `CampaignObserver`."""
@@ -60,36 +69,18 @@ class CampaignProgress:
         self._wrong += row.wrongly_dropped
         note = "" if not self._collisions else f"{self._collisions} collided"
         note += "" if not self._wrong else f" {self._wrong} wrongly dropped"
-        self._bar.update(self._task, advance=1, note=note)
-
-    def on_end(self) -> None:
-        """See `CampaignObserver`."""
-        self._bar.stop()
+        self._advance(note)
 
 
-class GapProgress:
+class GapProgress(_CountedProgress):
     """A bar over the plans of a comparison."""
 
     def __init__(self, console: Console) -> None:
-        self._console = console
-        self._bar = counting_bar(console, "plans")
-        self._task = self._bar.add_task("plans", total=None, note="")
-
-    def on_start(self, total: int, done: int) -> None:
-        """See `GapObserver`."""
-        if done:
-            self._console.print(f"{done} of {total} plans were made before; going on")
-        self._bar.start()
-        self._bar.reset(self._task, total=total - done, visible=total > done)
+        super().__init__(console, "plans", "made")
 
     def on_plan(self, row: "GapRow") -> None:
         """See `GapObserver`."""
-        note = f"{row.planner}, {row.priority_map}, {row.band}, {row.ratio:g}"
-        self._bar.update(self._task, advance=1, note=note)
-
-    def on_end(self) -> None:
-        """See `GapObserver`."""
-        self._bar.stop()
+        self._advance(f"{row.planner}, {row.priority_map}, {row.band}, {row.ratio:g}")
 
 
 class FlightProgress:
@@ -105,6 +96,7 @@ class FlightProgress:
             console=console,
         )
         self._task = self._bar.add_task(title, total=None, note="")
+        self._plans = 0
 
     def __enter__(self) -> "FlightProgress":
         self._bar.start()
@@ -118,16 +110,17 @@ class FlightProgress:
     ) -> None:
         self._bar.stop()
 
-    def on_start(self, mission: "Mission") -> None:
+    def on_start(self, setup: "MissionSetup") -> None:
         """See `Observer`."""
-        self._bar.update(self._task, total=len(mission.global_path) - 1)
+        self._bar.update(self._task, total=len(setup.waypoints))
 
-    def on_step(self, mission: "Mission") -> None:
+    def on_step(self, step: "Step") -> None:
         """See `Observer`."""
-        note = f"{mission.time:.0f} s, {mission.planner.plans_made} plans"
-        self._bar.update(self._task, completed=mission.planner.waypoint_index, note=note)
+        self._plans += len(step.plans)
+        note = f"{step.time:.0f} s, {self._plans} plans"
+        self._bar.update(self._task, completed=step.waypoint_index, note=note)
 
-    def on_end(self, mission: "Mission", record: "FlightRecord") -> None:
+    def on_end(self, record: "FlightRecord") -> None:
         """See `Observer`."""
         note = f"{record.outcome.value} after {record.duration:.0f} s"
-        self._bar.update(self._task, completed=len(mission.global_path) - 1, note=note)
+        self._bar.update(self._task, completed=len(record.global_path) - 1, note=note)

@@ -1,0 +1,114 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""`ltp fly`: one mission, its record, a figure and a recording."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from .global_paths import GlobalPaths
+from .inputs import open_config, open_world
+from .naming import naming
+from .options import Config, ScenarioIndex, WorldArgument
+from .output import say, tell, tell_recording
+from .recorded_flight import draw_summary, fly_recorded
+from .spread import spread
+from .waypoints import read_waypoints
+
+if TYPE_CHECKING:
+    from ltp.sim.record import FlightRecord
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+    app.command("fly")(fly)
+
+
+@spread
+def fly(
+    *,
+    world: WorldArgument = "city",
+    planner: Annotated[str | None, typer.Option(help="Name of the planner.")] = None,
+    length_weight: Annotated[
+        float | None, typer.Option(help="Weight of the path's length, W_L of Eq. 5.")
+    ] = None,
+    priority_weight: Annotated[
+        float | None, typer.Option(help="Weight of the priority below it, W_P of Eq. 5.")
+    ] = None,
+    priority_map: Annotated[
+        str | None, typer.Option(help="Priority map: `binary`, or `lpf` for the low-pass map.")
+    ] = None,
+    refine: Annotated[
+        bool | None,
+        typer.Option(help="Free the paths from the grid's directions."),
+    ] = None,
+    config: Config = None,
+    waypoints: Annotated[
+        Path | None,
+        typer.Option(
+            "--waypoints",
+            "--way-points",  # its name in version 0.1
+            help="CSV to take the global path from: a waypoint x,y,z a line, the start first, "
+            "world frame [m].",
+        ),
+    ] = None,
+    scenario: ScenarioIndex = 0,
+    global_paths: GlobalPaths,
+    out: Annotated[Path, typer.Option(help="Folder for record, figure and recording.")] = Path(
+        "out/fly"
+    ),
+    recording: Annotated[
+        bool | None,
+        typer.Option(help="Write a recording for the viewer; by default if it is installed."),
+    ] = None,
+) -> None:
+    """Fly one mission; write its record, a figure and a recording.
+
+    Settings come from --config; the options named here win over it. The global path is one of the
+    seeded ones, unless --waypoints gives another.
+    """
+    place = open_world(world)
+    settings = open_config(config)
+    of_planner = settings.planner_options
+    _set_given(settings, planner=planner, priority_map=priority_map)
+    _set_given(of_planner, refine=refine)
+    _set_given(of_planner.weights, length=length_weight, priority=priority_weight)
+    with naming(
+        "planner",
+        "priority_map",
+        **{"weights.length": "--length-weight", "weights.priority": "--priority-weight"},
+    ):
+        settings.check()
+    path = read_waypoints(waypoints) if waypoints else global_paths.one(place, scenario)
+    out.mkdir(parents=True, exist_ok=True)
+    record, sensed, recorded = fly_recorded(
+        place, settings, path, out / "flight.rrd", recording, settings.planner
+    )
+    record.save(out / "flight.npz")
+    _report(record)
+    tell("record", out / "flight.npz")
+    draw_summary(place, [record], sensed, out / "flight.png")
+    tell("figure", out / "flight.png")
+    if recorded is not None:
+        tell_recording(recorded)
+
+
+def _set_given(holder: object, **settings: object) -> None:
+    """Set those that were given on the command line."""
+    for name, value in settings.items():
+        if value is not None:
+            setattr(holder, name, value)
+
+
+def _report(record: "FlightRecord") -> None:
+    say(
+        f"{record.outcome.value} after {record.duration:.0f} s and {record.length:.0f} m: "
+        f"mean priority {record.mean_priority:.2f}, length ratio {record.length_ratio:.2f}, "
+        f"clearance {record.min_clearance:.1f} m, {len(record.plans)} plans"
+    )
+    for event in record.dropped:
+        say(
+            f"waypoint {event.index + 1} dropped at {event.time:.0f} s: "
+            f"{event.reason.replace('_', ' ')}"
+        )

@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Turning what stands on the command line into values."""
+
+import os
+import warnings
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .output import note
+
+if TYPE_CHECKING:
+    from ltp.config import MissionConfig
+    from ltp.evaluation.campaign.rows import FlightRow
+    from ltp.world import World
+
+
+def open_world(source: str) -> "World":
+    """The world that an argument names."""
+    from ltp.world import World
+
+    name, _, seed = source.partition(":")
+    if name == "city" and not Path(source).exists():
+        from ltp.world.city import make_city
+
+        if seed and not seed.isdigit():
+            raise ValueError(f"{source}: the seed of the city must be a whole number >= 0")
+        return make_city(seed=int(seed) if seed else 1)
+    if not Path(source).exists():
+        raise ValueError(f"{source}: no such world file (the built-in world is called `city`)")
+    return World.load(source)
+
+
+def open_config(path: Path | None) -> "MissionConfig":
+    """The settings in a file, or the defaults; old names in the file are told on stderr."""
+    from ltp.config import MissionConfig
+
+    if path is None:
+        return MissionConfig()
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", DeprecationWarning)
+        config = MissionConfig.load(path)
+    for warning in caught:
+        note(f"{path}: {warning.message}")
+    return config
+
+
+def read_flights(path: Path) -> "list[FlightRow]":
+    """The rows of a campaign, by its folder or its CSV."""
+    from ltp.evaluation.campaign import TABLE
+    from ltp.evaluation.campaign.rows import read_rows
+
+    rows = read_rows(path / TABLE if path.is_dir() else path)
+    if not rows:
+        raise ValueError(f"{path} holds no flights")
+    return rows
+
+
+def read_flights_over(path: Path, source: str) -> "tuple[list[FlightRow], World]":
+    """The rows of a campaign, and the world that it was flown over, as an argument names it."""
+    rows, world = read_flights(path), open_world(source)
+    if rows[0].world != world.name:
+        raise ValueError(f"{path} was flown over {rows[0].world}, not over {world.name}")
+    return rows, world
+
+
+def numbers(name: str, text: str) -> list[float]:
+    """The numbers in a text with commas between."""
+    try:
+        return [float(part) for part in text.split(",")]
+    except ValueError:
+        raise ValueError(f"{name}: expected numbers with commas between, not {text!r}") from None
+
+
+def names(text: str) -> list[str]:
+    """The names in a text with commas between."""
+    return [part.strip() for part in text.split(",") if part.strip()]
+
+
+def workers(processes: int) -> int:
+    """The number of processes that is meant: 0 is one per processor."""
+    if processes < 0:
+        raise ValueError(f"--processes must be >= 0, not {processes}")
+    return processes or len(os.sched_getaffinity(0))

@@ -1,0 +1,58 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""One flight with progress on the terminal, recorded for the viewer, and its picture."""
+
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .output import console, say
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ltp.config import MissionConfig
+    from ltp.sim.record import FlightRecord
+    from ltp.world import World
+
+
+def fly_recorded(
+    world: "World",
+    config: "MissionConfig",
+    global_path: "NDArray[np.float64]",
+    recording: Path,
+    wanted: bool | None,
+    title: str,
+) -> tuple["FlightRecord", Any, Path | None]:
+    """Fly with progress, gather what was sensed, and record for the viewer if wanted.
+
+    Returns:
+        The record, the sensed cells, and the recording's path if one was written.
+    """
+    from ltp.evaluation.sensed import SensedTrace
+    from ltp.sim import fly as fly_mission
+    from ltp.viewer.rerun_module import has_rerun
+
+    from .progress import FlightProgress
+
+    sensed = SensedTrace()
+    recorded = has_rerun() if wanted is None else wanted
+    with ExitStack() as stack:
+        observers: list[Any] = [stack.enter_context(FlightProgress(console(), title)), sensed]
+        if recorded:
+            from ltp.viewer import FlightRecording
+
+            observers.append(stack.enter_context(FlightRecording(recording)))
+        record = fly_mission(world, config, global_path, observers)
+    if not recorded and wanted is None:
+        say('no recording: it needs pip install "ltp[viewer]"')
+    return record, sensed, recording if recorded else None
+
+
+def draw_summary(world: "World", records: "list[FlightRecord]", sensed: Any, path: Path) -> None:
+    """Draw flights of one global path over the city."""
+    from ltp.evaluation.figures.backdrop import save_figure
+    from ltp.evaluation.figures.summary import summary_figure
+
+    save_figure(summary_figure(world, records, sensed), path)
