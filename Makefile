@@ -21,6 +21,9 @@ PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet --quiet
 # all must call the compiler by the same name.
 export CMAKE_CXX_COMPILER_LAUNCHER = $(shell command -v ccache)
 export CXX
+# What one clone has compiled serves another.
+export CCACHE_BASEDIR ?= $(CURDIR)
+export CCACHE_NOHASHDIR ?= 1
 export CMAKE_BUILD_PARALLEL_LEVEL = $(JOBS)
 # The tests are to see the installed package, and no other.
 unexport PYTHONPATH
@@ -28,7 +31,7 @@ unexport PYTHONPATH
 BUILD_FILES := pyproject.toml CMakeLists.txt README.md LICENSE
 SOURCES := $(BUILD_FILES) $(shell find cpp python -type f \
   \( -name '*.[ch]pp' -o -name '*.in' -o -name '*.py' -o -name '*.pyi' -o -name py.typed \))
-CPP_FILES := $(shell find cpp tests -name '*.[ch]pp')
+CPP_FILES := $(shell find cpp examples tests -name '*.[ch]pp')
 # Changes with the list of sources, so that a file that is gone counts as a change too.
 WHEEL := $(STAMPS)/wheel-$(WERROR)-$(shell printf '%s\n' $(sort $(SOURCES)) | cksum | cut -d' ' -f1)
 
@@ -83,6 +86,40 @@ wheel: $(WHEEL)  ## build dist/ltp-*.whl and check what is in it
 stub: $(STAMPS)/test  ## write python/ltp/_core.pyi anew from the compiled module
 	$(BIN)/python .ci/make_stub.py python/ltp/_core.pyi
 
+.PHONY: docs
+docs: $(STAMPS)/docs  ## build docs/ and the API reference into build/docs/html
+	$(BIN)/python -m sphinx -q -W --keep-going -d build/docs/doctrees docs build/docs/html
+
+# The C++ tests that run under sanitizers, by the names of their files; none named: all of them.
+SANITIZE_THREADS = concurrent_trajectory_planner local_trajectory_planner obstacle_memory
+SANITIZE_MEMORY = carving inflation lidar obstacle_map obstacle_map_file occupancy_grid \
+  octree_file octree_surface planner_contract raster ray_marker scenes
+
+.PHONY: sanitize
+sanitize: $(STAMPS)/system  ## run C++ tests of threads under TSan, of memory under ASan and UBSan
+	@for preset in tsan asan; do \
+	  tests='$(SANITIZE_THREADS)'; [ $$preset = tsan ] || tests='$(SANITIZE_MEMORY)'; \
+	  echo "ltp: building the C++ tests for $$preset"; \
+	  cmake --preset $$preset "-DLTP_TESTS=$$tests" --log-level=WARNING > /dev/null; \
+	  cmake --build --preset $$preset; \
+	  ctest --preset $$preset -E '^examples' -j $(JOBS); \
+	done
+
+FUZZ_SECONDS ?= 60
+
+.PHONY: fuzz
+fuzz: $(STAMPS)/fuzz  ## run each fuzzer for FUZZ_SECONDS (60)
+	@echo "ltp: building the fuzzers"
+	@cmake -S tests/fuzz -B build/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ \
+	  --log-level=WARNING > /dev/null
+	@cmake --build build/fuzz
+	@for fuzzer in build/fuzz/*_fuzz; do \
+	  echo "$$fuzzer, $(FUZZ_SECONDS) s"; \
+	  mkdir -p "$$fuzzer-corpus"; \
+	  "$$fuzzer" -max_total_time=$(FUZZ_SECONDS) -verbosity=0 -print_final_stats=1 -print_funcs=0 \
+	    -artifact_prefix=build/fuzz/ "$$fuzzer-corpus"; \
+	done
+
 .PHONY: clean
 clean:  ## remove all that was made, but the virtual environment and out/
 	rm -rf build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
@@ -122,10 +159,23 @@ $(STAMPS)/package: $(WHEEL)
 $(STAMPS)/viewer: EXTRAS := viewer
 $(STAMPS)/test: EXTRAS := viewer,geo,test
 $(STAMPS)/dev: EXTRAS := viewer,geo,test,dev
-$(STAMPS)/viewer $(STAMPS)/test $(STAMPS)/dev: $(STAMPS)/package
+$(STAMPS)/docs: EXTRAS := docs
+$(STAMPS)/viewer $(STAMPS)/test $(STAMPS)/dev $(STAMPS)/docs: $(STAMPS)/package
 	@echo "ltp: installing what ltp[$(EXTRAS)] needs into $(VENV)"
 	@$(PIP) install "$$(echo dist/*.whl)[$(EXTRAS)]"
 	@touch $@
+
+# Doxygen reads the comments of the C++ headers.
+$(STAMPS)/docs-system: .ci/system-packages
+	@mkdir -p $(STAMPS)
+	@PYTHON="$(PYTHON)" .ci/system-packages doxygen > $@
+
+$(STAMPS)/docs: $(STAMPS)/docs-system
+
+# Fuzzing needs Clang and its run-time library, whatever compiles the rest.
+$(STAMPS)/fuzz: .ci/system-packages
+	@mkdir -p $(STAMPS)
+	@PYTHON="$(PYTHON)" .ci/system-packages clang libclang-rt-dev > $@
 
 # Debian's packages of peers and of what theirs from PyPI need, then those from PyPI: each on its own,
 # so that one that cannot be had here stops no other.

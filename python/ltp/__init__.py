@@ -1,101 +1,31 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Local trajectory planning for autonomous UAV landing. The public names, listed by hand."""
+"""Local trajectory planning for autonomous UAV landing.
 
-from ltp._core import (
-    AraOptions,
-    BezierOptions,
-    BugOptions,
-    ConcurrentTrajectoryPlanner,
-    Decision,
-    Front,
-    GridFrame,
-    HeightSurface,
-    HermiteOptions,
-    InsertStatistics,
-    Lidar,
-    LidarOptions,
-    LidarPattern,
-    LinearisedOptions,
-    LocalTrajectoryPlanner,
-    NavigationOptions,
-    NavigationStatus,
-    ObstacleMap,
-    ObstacleMapOptions,
-    OccupancyGrid,
-    OctreeSurface,
-    ParetoOptions,
-    PathTally,
-    Plan,
-    Planner,
-    PlannerOptions,
-    PlanStatus,
-    Pose,
-    Query,
-    Raster,
-    RiskOptions,
-    Scan,
-    ScanStatistics,
-    Scene,
-    __version__,
-    distance_field,
-    flood_fill,
-    inflate,
-    penalty,
-    tally,
-)
-from ltp.config import MissionConfig, VehicleOptions
-from ltp.planners import PLANNERS, make_planner
-from ltp.sim import FlightRecord, Outcome, fly
-from ltp.world import World
+The public names stand in `ltp/_public.py`. They are loaded, numpy and the compiled core with them,
+when the first of them is asked for: `ltp --help` needs none.
+"""
 
-__all__ = [
-    "PLANNERS",
-    "AraOptions",
-    "BezierOptions",
-    "BugOptions",
-    "ConcurrentTrajectoryPlanner",
-    "Decision",
-    "FlightRecord",
-    "Front",
-    "GridFrame",
-    "HeightSurface",
-    "HermiteOptions",
-    "InsertStatistics",
-    "Lidar",
-    "LidarOptions",
-    "LidarPattern",
-    "LinearisedOptions",
-    "LocalTrajectoryPlanner",
-    "MissionConfig",
-    "NavigationOptions",
-    "NavigationStatus",
-    "ObstacleMap",
-    "ObstacleMapOptions",
-    "OccupancyGrid",
-    "OctreeSurface",
-    "Outcome",
-    "ParetoOptions",
-    "PathTally",
-    "Plan",
-    "PlanStatus",
-    "Planner",
-    "PlannerOptions",
-    "Pose",
-    "Query",
-    "Raster",
-    "RiskOptions",
-    "Scan",
-    "ScanStatistics",
-    "Scene",
-    "VehicleOptions",
-    "World",
-    "__version__",
-    "distance_field",
-    "flood_fill",
-    "fly",
-    "inflate",
-    "make_planner",
-    "penalty",
-    "tally",
-]
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ltp._public import *  # noqa: F403
+else:
+
+    def __getattr__(name):
+        if name.startswith("__") and name not in ("__all__", "__version__"):
+            raise AttributeError(f"module 'ltp' has no attribute {name!r}")
+        public = _load()
+        if name == "__all__" or name in public.__all__:
+            return getattr(public, name)
+        if name in globals():  # a room, e.g. `ltp.sim`: it came with the names
+            return globals()[name]
+        raise AttributeError(f"module 'ltp' has no attribute {name!r}")
+
+    def __dir__():
+        return sorted({*_load().__all__, *globals()})
+
+    def _load():
+        from importlib import import_module
+
+        return import_module("ltp._public")

@@ -10,7 +10,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['AraOptions', 'BezierOptions', 'BugOptions', 'ConcurrentTrajectoryPlanner', 'Decision', 'Front', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'ParetoOptions', 'PathTally', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'WaypointEvent', 'closest_point', 'distance_field', 'flood_fill', 'inflate', 'path_length', 'penalty', 'planner_names', 'point_at', 'resample', 'tally']
+__all__: list[str] = ['AraOptions', 'BezierOptions', 'Budget', 'ConcurrentTrajectoryPlanner', 'Decision', 'ExactOptions', 'Front', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'PathTally', 'PenaltyWeights', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerInfo', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'TangentBugOptions', 'WaypointEvent', 'closest_point', 'distance_field', 'flood_fill', 'inflate', 'pareto_front', 'path_length', 'penalty', 'planner_info', 'planners', 'point_at', 'resample', 'tally']
 class Pose:
     """
     Where a body is and how it is turned (world ENU, body x forward, y left, z up).
@@ -154,7 +154,7 @@ class OccupancyGrid:
         """
     def roll(self, shift: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], "FixedSize(3)"]) -> None:
         """
-        Moves the window by whole cells (three integers); what leaves is forgotten, what enters is free.
+        Moves the window by whole cells (three integers); what leaves is forgotten, what enters is free. ValueError for a grid that belongs to a map.
         """
     def to_array(self) -> numpy.typing.NDArray[numpy.bool]:
         """
@@ -169,12 +169,45 @@ class OccupancyGrid:
     @property
     def frame(self) -> GridFrame:
         ...
+class PenaltyWeights:
+    """
+    W_L and W_P of Eq. (5).
+    """
+    __fields__: typing.ClassVar[tuple] = ('length', 'priority')
+    def __copy__(self) -> PenaltyWeights:
+        ...
+    def __deepcopy__(self, memo: dict) -> PenaltyWeights:
+        ...
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def check(self) -> None:
+        """
+        Raises `ValueError` that names the field.
+        """
+    @property
+    def length(self) -> float:
+        """
+        W_L, of the length over the direct length; >= 0
+        """
+    @length.setter
+    def length(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def priority(self) -> float:
+        """
+        W_P, of the mean priority along the path; >= 0
+        """
+    @priority.setter
+    def priority(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
 class PathTally:
     """
     The two integrals along a path that Eq. (5) is made of.
     """
     __fields__: typing.ClassVar[tuple] = ('length', 'priority')
-    def __init__(self) -> None:
+    def __init__(self, *, length: typing.SupportsFloat | typing.SupportsIndex = 0.0, priority: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -288,6 +321,10 @@ class LidarPattern:
     The rays of one revolution, in the sensor's frame (x forward, y left, z up).
     """
     __fields__: typing.ClassVar[tuple] = ('azimuths', 'azimuth_from_deg', 'azimuth_to_deg', 'rows', 'elevation_from_deg', 'elevation_to_deg')
+    def __copy__(self) -> LidarPattern:
+        ...
+    def __deepcopy__(self, memo: dict) -> LidarPattern:
+        ...
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
@@ -349,6 +386,10 @@ class LidarOptions:
     Settings of the LiDAR.
     """
     __fields__: typing.ClassVar[tuple] = ('pattern', 'max_range', 'range_noise_sd', 'drop_out', 'seed')
+    def __copy__(self) -> LidarOptions:
+        ...
+    def __deepcopy__(self, memo: dict) -> LidarOptions:
+        ...
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
@@ -479,6 +520,10 @@ class ObstacleMapOptions:
     Settings of the obstacle map.
     """
     __fields__: typing.ClassVar[tuple] = ('cell', 'dims', 'inflation_radius', 'max_range', 'carve_free_space', 'keep_hits', 'hit_log_odds', 'miss_log_odds', 'min_log_odds', 'max_log_odds')
+    def __copy__(self) -> ObstacleMapOptions:
+        ...
+    def __deepcopy__(self, memo: dict) -> ObstacleMapOptions:
+        ...
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
@@ -597,7 +642,8 @@ class InsertStatistics:
     @property
     def out_of_range(self) -> int:
         """
-        hits at or beyond the maximum range: treated as misses
+        hits at or beyond the map's maximum range: treated as misses; many of them, and the sensor sees
+        farther than the map was told
         """
     @property
     def outside(self) -> int:
@@ -608,7 +654,7 @@ class ObstacleMap:
     """
     What the sensor has touched round the UAV. Voxels are the memory, planning cells the view: a cell is
     occupied if any voxel in it is, blocked if within the inflation radius of an occupied one. Use a map from
-    one thread at a time.
+    one thread at a time. The map of a planner is read-only: what would change it raises ValueError.
     """
     def __init__(self, options: ObstacleMapOptions = ..., centre: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"] = ...) -> None:
         """
@@ -654,6 +700,11 @@ class ObstacleMap:
     @property
     def options(self) -> ObstacleMapOptions:
         ...
+    @property
+    def version(self) -> int:
+        """
+        grows, from 0, whenever planning cells become occupied or free: by a scan, a file or `clear`
+        """
     @property
     def voxel_size(self) -> float:
         """
@@ -798,10 +849,14 @@ class Plan:
         """
     @property
     def stats(self) -> SearchStats:
-        ...
+        """
+        what the search did
+        """
     @property
     def status(self) -> PlanStatus:
-        ...
+        """
+        how it ended
+        """
     @property
     def tally(self) -> PathTally:
         """
@@ -821,10 +876,14 @@ class Front:
         """
     @property
     def stats(self) -> SearchStats:
-        ...
+        """
+        what the search did
+        """
     @property
     def status(self) -> PlanStatus:
-        ...
+        """
+        how it ended
+        """
     @property
     def tallies(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 2]"]:
         """
@@ -835,10 +894,18 @@ class BezierOptions:
     The Bezier planner's exhaustive search.
     """
     __fields__: typing.ClassVar[tuple] = ('offsets', 'reach', 'z_offsets', 'z_reach', 'segments')
+    def __copy__(self) -> BezierOptions:
+        ...
+    def __deepcopy__(self, memo: dict) -> BezierOptions:
+        ...
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
         ...
+    def check(self) -> None:
+        """
+        Raises `ValueError` that names the field.
+        """
     @property
     def offsets(self) -> int:
         """
@@ -881,13 +948,21 @@ class BezierOptions:
         ...
 class LinearisedOptions:
     """
-    The additive searches of `additive` and `sweep`.
+    The searches of `additive`, `sweep` and `auto`.
     """
-    __fields__: typing.ClassVar[tuple] = ('alpha', 'tolerance', 'searches', 'effort', 'closing')
+    __fields__: typing.ClassVar[tuple] = ('alpha', 'tolerance', 'searches', 'effort', 'whole_first', 'remember', 'closing')
+    def __copy__(self) -> LinearisedOptions:
+        ...
+    def __deepcopy__(self, memo: dict) -> LinearisedOptions:
+        ...
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
         ...
+    def check(self) -> None:
+        """
+        Raises `ValueError` that names the field.
+        """
     @property
     def alpha(self) -> float:
         """
@@ -899,7 +974,7 @@ class LinearisedOptions:
     @property
     def closing(self) -> int:
         """
-        labels and cells that `sweep` may spend on closing the gap that is left
+        labels and cells that may be spent on closing the gap that is left (`auto`: none)
         """
     @closing.setter
     def closing(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -907,15 +982,23 @@ class LinearisedOptions:
     @property
     def effort(self) -> int:
         """
-        expansions that `sweep` may spend after its first path; 0: no limit
+        expansions that may be spent, see `whole_first`; 0: no limit (`auto`: 20,000)
         """
     @effort.setter
     def effort(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
     @property
+    def remember(self) -> bool:
+        """
+        begins with the slope at the last path to the same goal
+        """
+    @remember.setter
+    def remember(self, arg0: bool) -> None:
+        ...
+    @property
     def searches(self) -> int:
         """
-        that `sweep` makes at most
+        at most (`additive`: one)
         """
     @searches.setter
     def searches(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -923,20 +1006,36 @@ class LinearisedOptions:
     @property
     def tolerance(self) -> float:
         """
-        of Eq. (5): `sweep` stops when path and bound are this close
+        of Eq. (5): ends when path and bound are this close
         """
     @tolerance.setter
     def tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
-class ParetoOptions:
+    @property
+    def whole_first(self) -> bool:
+        """
+        `effort` counts from the first path on: that search is never cut
+        """
+    @whole_first.setter
+    def whole_first(self, arg0: bool) -> None:
+        ...
+class ExactOptions:
     """
-    The exact search of `pareto`.
+    The exact search of `exact`, and the Pareto front's.
     """
     __fields__: typing.ClassVar[tuple] = ('memory', 'eps')
+    def __copy__(self) -> ExactOptions:
+        ...
+    def __deepcopy__(self, memo: dict) -> ExactOptions:
+        ...
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
         ...
+    def check(self) -> None:
+        """
+        Raises `ValueError` that names the field.
+        """
     @property
     def eps(self) -> float:
         """
@@ -958,10 +1057,18 @@ class AraOptions:
     The weights of `ara-star`.
     """
     __fields__: typing.ClassVar[tuple] = ('first_weight', 'step')
+    def __copy__(self) -> AraOptions:
+        ...
+    def __deepcopy__(self, memo: dict) -> AraOptions:
+        ...
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
         ...
+    def check(self) -> None:
+        """
+        Raises `ValueError` that names the field.
+        """
     @property
     def first_weight(self) -> float:
         """
@@ -983,10 +1090,18 @@ class RiskOptions:
     The cost of `risk-a-star`.
     """
     __fields__: typing.ClassVar[tuple] = ('length_factor')
+    def __copy__(self) -> RiskOptions:
+        ...
+    def __deepcopy__(self, memo: dict) -> RiskOptions:
+        ...
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
         ...
+    def check(self) -> None:
+        """
+        Raises `ValueError` that names the field.
+        """
     @property
     def length_factor(self) -> float:
         """
@@ -995,15 +1110,23 @@ class RiskOptions:
     @length_factor.setter
     def length_factor(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
-class BugOptions:
+class TangentBugOptions:
     """
-    The sensor of `bug`.
+    The sensor of `tangent-bug`.
     """
     __fields__: typing.ClassVar[tuple] = ('range')
+    def __copy__(self) -> TangentBugOptions:
+        ...
+    def __deepcopy__(self, memo: dict) -> TangentBugOptions:
+        ...
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
         ...
+    def check(self) -> None:
+        """
+        Raises `ValueError` that names the field.
+        """
     @property
     def range(self) -> float:
         """
@@ -1017,10 +1140,18 @@ class HermiteOptions:
     The optimised curve of `hermite`.
     """
     __fields__: typing.ClassVar[tuple] = ('segments', 'starts', 'reach', 'refined', 'iterations')
+    def __copy__(self) -> HermiteOptions:
+        ...
+    def __deepcopy__(self, memo: dict) -> HermiteOptions:
+        ...
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
         ...
+    def check(self) -> None:
+        """
+        Raises `ValueError` that names the field.
+        """
     @property
     def iterations(self) -> int:
         """
@@ -1065,14 +1196,11 @@ class PlannerOptions:
     """
     What every planner can be told.
     """
-    __fields__: typing.ClassVar[tuple] = ('length_weight', 'priority_weight', 'max_expansions', 'scaled_heuristic', 'bezier', 'linearised', 'pareto', 'ara', 'risk', 'bug', 'hermite')
-    ara: AraOptions
-    bezier: BezierOptions
-    bug: BugOptions
-    hermite: HermiteOptions
-    linearised: LinearisedOptions
-    pareto: ParetoOptions
-    risk: RiskOptions
+    __fields__: typing.ClassVar[tuple] = ('weights', 'scaled_heuristic', 'refine', 'bezier', 'linearised', 'exact', 'ara', 'risk', 'tangent_bug', 'hermite')
+    def __copy__(self) -> PlannerOptions:
+        ...
+    def __deepcopy__(self, memo: dict) -> PlannerOptions:
+        ...
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
@@ -1082,28 +1210,76 @@ class PlannerOptions:
         Raises `ValueError` that names the field.
         """
     @property
-    def length_weight(self) -> float:
+    def ara(self) -> AraOptions:
         """
-        W_L of Eq. (5)
+        of `ara-star`
+        """
+    @ara.setter
+    def ara(self, arg0: AraOptions) -> None:
+        ...
+    @property
+    def bezier(self) -> BezierOptions:
+        """
+        of `bezier`
+        """
+    @bezier.setter
+    def bezier(self, arg0: BezierOptions) -> None:
+        ...
+    @property
+    def bug(self) -> typing.Any:
+        """
+        The old name of `tangent_bug`.
+        """
+    @bug.setter
+    def bug(self, arg1: typing.Any) -> None:
+        ...
+    @property
+    def exact(self) -> ExactOptions:
+        """
+        of `exact`
+        """
+    @exact.setter
+    def exact(self, arg0: ExactOptions) -> None:
+        ...
+    @property
+    def hermite(self) -> HermiteOptions:
+        """
+        of `hermite`
+        """
+    @hermite.setter
+    def hermite(self, arg0: HermiteOptions) -> None:
+        ...
+    @property
+    def length_weight(self) -> typing.Any:
+        """
+        The old name of `weights.length`.
         """
     @length_weight.setter
-    def length_weight(self, arg1: typing.SupportsFloat | typing.SupportsIndex) -> None:
+    def length_weight(self, arg1: typing.Any) -> None:
         ...
     @property
-    def max_expansions(self) -> int:
+    def linearised(self) -> LinearisedOptions:
         """
-        give up (OUT_OF_BUDGET) after so many; 0: no limit
+        of `additive`, `sweep` and `auto`
         """
-    @max_expansions.setter
-    def max_expansions(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+    @linearised.setter
+    def linearised(self, arg0: LinearisedOptions) -> None:
         ...
     @property
-    def priority_weight(self) -> float:
+    def pareto(self) -> typing.Any:
         """
-        W_P of Eq. (5)
+        The old name of `exact`.
+        """
+    @pareto.setter
+    def pareto(self, arg1: typing.Any) -> None:
+        ...
+    @property
+    def priority_weight(self) -> typing.Any:
+        """
+        The old name of `weights.priority`.
         """
     @priority_weight.setter
-    def priority_weight(self, arg1: typing.SupportsFloat | typing.SupportsIndex) -> None:
+    def priority_weight(self, arg1: typing.Any) -> None:
         ...
     @property
     def refine(self) -> bool:
@@ -1114,6 +1290,14 @@ class PlannerOptions:
     def refine(self, arg0: bool) -> None:
         ...
     @property
+    def risk(self) -> RiskOptions:
+        """
+        of `risk-a-star`
+        """
+    @risk.setter
+    def risk(self, arg0: RiskOptions) -> None:
+        ...
+    @property
     def scaled_heuristic(self) -> bool:
         """
         multiply Eq. (9) by W_L, which it lacks as printed
@@ -1121,6 +1305,108 @@ class PlannerOptions:
     @scaled_heuristic.setter
     def scaled_heuristic(self, arg0: bool) -> None:
         ...
+    @property
+    def tangent_bug(self) -> TangentBugOptions:
+        """
+        of `tangent-bug`
+        """
+    @tangent_bug.setter
+    def tangent_bug(self, arg0: TangentBugOptions) -> None:
+        ...
+    @property
+    def weights(self) -> PenaltyWeights:
+        """
+        W_L and W_P of Eq. (5)
+        """
+    @weights.setter
+    def weights(self, arg0: PenaltyWeights) -> None:
+        ...
+class Budget:
+    """
+    What one plan may spend. A search that reaches a limit ends with OUT_OF_BUDGET, or with the best
+    path that it has.
+    """
+    __fields__: typing.ClassVar[tuple] = ('max_expansions', 'time_limit')
+    def __copy__(self) -> Budget:
+        ...
+    def __deepcopy__(self, memo: dict) -> Budget:
+        ...
+    def __init__(self, **kwargs) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def check(self) -> None:
+        """
+        Raises `ValueError` that names the field.
+        """
+    @property
+    def max_expansions(self) -> int:
+        """
+        cells, curves or labels examined, >= 0; 0: no limit
+        """
+    @max_expansions.setter
+    def max_expansions(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def time_limit(self) -> float:
+        """
+        wall time [s], >= 0; 0: no limit
+        """
+    @time_limit.setter
+    def time_limit(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+class PlannerInfo:
+    """
+    What a planner is: a row of the registry.
+    """
+    __fields__: typing.ClassVar[tuple] = ('name', 'title', 'family', 'complete', 'on_grid', 'anytime', 'remembers', 'uses_priority', 'bounds')
+    def __repr__(self) -> str:
+        ...
+    @property
+    def anytime(self) -> bool:
+        """
+        out of budget, it answers with the best path so far
+        """
+    @property
+    def bounds(self) -> bool:
+        """
+        proves a lower bound of Eq. (5)
+        """
+    @property
+    def complete(self) -> bool:
+        """
+        its UNREACHABLE proves that no path exists
+        """
+    @property
+    def family(self) -> str:
+        """
+        'paper': of the paper's tables; 'ours'; 'baseline': of other authors, to compare with
+        """
+    @property
+    def name(self) -> str:
+        """
+        by which it is made
+        """
+    @property
+    def on_grid(self) -> bool:
+        """
+        its paths run through cell centres
+        """
+    @property
+    def remembers(self) -> bool:
+        """
+        an answer may depend on what was asked before
+        """
+    @property
+    def title(self) -> str:
+        """
+        as tables print it
+        """
+    @property
+    def uses_priority(self) -> bool:
+        """
+        the priority map shapes its paths
+        """
 class Planner:
     """
     A local planner; made by `make_planner`.
@@ -1129,19 +1415,22 @@ class Planner:
         ...
     def front(self, scene: Scene, query: Query, eps: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> Front:
         """
-        All paths of which none is both shorter (L) and over better ground (R = p_max L - P, p_max the largest
-        priority in the window, P the priority integral). With eps, for each path one of them has at most
-        (1 + eps) times its L and its R. Only `pareto` has a front: ValueError for another planner, for a query
-        that is not finite and for a wrong eps. Lets other threads run; Ctrl-C interrupts it.
+        Deprecated: `ltp.pareto_front`.
         """
-    def plan(self, scene: Scene, query: Query) -> Plan:
+    def plan(self, scene: Scene, query: Query, budget: Budget = ...) -> Plan:
         """
-        Plans a path. Lets other threads run; Ctrl-C interrupts it. ValueError for a query that is not finite.
+        Plans a path. Lets other threads run; Ctrl-C interrupts it. ValueError for a query that is not finite and for
+        a negative limit.
         """
     @property
     def complete(self) -> bool:
         """
         whether its failure proves that no path exists
+        """
+    @property
+    def info(self) -> PlannerInfo:
+        """
+        its row of the registry
         """
     @property
     def name(self) -> str:
@@ -1150,7 +1439,11 @@ class NavigationOptions:
     """
     When a waypoint is reached, a path left, a height allowed.
     """
-    __fields__: typing.ClassVar[tuple] = ('band', 'reach_distance', 'leave_distance', 'escape_distance', 'memory_widths')
+    __fields__: typing.ClassVar[tuple] = ('band', 'reach_distance', 'leave_distance', 'escape_distance', 'max_expansions', 'time_limit', 'memory_widths')
+    def __copy__(self) -> NavigationOptions:
+        ...
+    def __deepcopy__(self, memo: dict) -> NavigationOptions:
+        ...
     def __init__(self, **kwargs) -> None:
         ...
     def __repr__(self) -> str:
@@ -1184,6 +1477,14 @@ class NavigationOptions:
     def leave_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def max_expansions(self) -> int:
+        """
+        of a plan, see `Budget`; 0: no limit
+        """
+    @max_expansions.setter
+    def max_expansions(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
     def memory_widths(self) -> int:
         """
         how many windows wide the memory is from which proofs are drawn; 1 where obstacles move
@@ -1198,6 +1499,14 @@ class NavigationOptions:
         """
     @reach_distance.setter
     def reach_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def time_limit(self) -> float:
+        """
+        of a plan, see `Budget` [s]; 0: no limit
+        """
+    @time_limit.setter
+    def time_limit(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 class NavigationStatus:
     """
@@ -1271,7 +1580,9 @@ class WaypointEvent:
         """
     @property
     def index(self) -> int:
-        ...
+        """
+        of the waypoint, from 0
+        """
     @property
     def position(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
@@ -1306,7 +1617,14 @@ class PlanRecord:
         """
     @property
     def plan(self) -> Plan:
-        ...
+        """
+        the answer
+        """
+    @property
+    def way_point(self) -> typing.Any:
+        """
+        The old name of `waypoint`.
+        """
     @property
     def waypoint(self) -> int:
         """
@@ -1321,6 +1639,14 @@ class LocalTrajectoryPlanner:
         """
         priority: Raster in [0, 1]. position: (3,) [m]. planner: a name of `planner_names()`.
         """
+    def clear_map(self) -> None:
+        """
+        Forgets all obstacles, those beyond the window too; the next update plans on it.
+        """
+    def load_map(self, path: os.PathLike | str | bytes) -> None:
+        """
+        Adds what a `.bt` or `.ot` file knows about the window, as ObstacleMap.load does; the next update plans on it.
+        """
     def sense(self, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], hits: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], misses: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"] = ...) -> InsertStatistics:
         """
         Adds a scan: where its rays began (3,), where they hit (N, 3), and, for carving, where those without a
@@ -1328,6 +1654,10 @@ class LocalTrajectoryPlanner:
         """
     def set_priority(self, priority: Raster) -> None:
         ...
+    def set_way_points(self, way_points: typing.Any) -> None:
+        """
+        The old name of `set_waypoints`.
+        """
     def set_waypoints(self, waypoints: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> None:
         """
         Replaces what is left of the global path; (N, 3), world [m].
@@ -1346,7 +1676,9 @@ class LocalTrajectoryPlanner:
         ...
     @property
     def map(self) -> ObstacleMap:
-        ...
+        """
+        a read-only view: see `load_map` and `clear_map`
+        """
     @property
     def path(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
@@ -1370,6 +1702,16 @@ class LocalTrajectoryPlanner:
     @property
     def status(self) -> NavigationStatus:
         ...
+    @property
+    def way_point_index(self) -> typing.Any:
+        """
+        The old name of `waypoint_index`.
+        """
+    @property
+    def way_points(self) -> typing.Any:
+        """
+        The old name of `waypoints`.
+        """
     @property
     def waypoint_index(self) -> int:
         """
@@ -1417,7 +1759,14 @@ class Decision:
         """
     @property
     def status(self) -> NavigationStatus:
-        ...
+        """
+        what to do
+        """
+    @property
+    def way_point_index(self) -> typing.Any:
+        """
+        The old name of `waypoint_index`.
+        """
     @property
     def waypoint_index(self) -> int:
         """
@@ -1432,6 +1781,14 @@ class ConcurrentTrajectoryPlanner:
         """
         As a LocalTrajectoryPlanner's.
         """
+    def clear_map(self) -> None:
+        """
+        As LocalTrajectoryPlanner's; the map is handed over to be planned on at once.
+        """
+    def load_map(self, path: os.PathLike | str | bytes) -> None:
+        """
+        As LocalTrajectoryPlanner's; the map is handed over to be planned on at once.
+        """
     def plan(self) -> bool:
         """
         Decides on the newest map, in the calling thread: instead of `start`. Whether there was a new one.
@@ -1439,6 +1796,14 @@ class ConcurrentTrajectoryPlanner:
     def sense(self, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], hits: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], misses: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"] = ...) -> InsertStatistics:
         """
         Adds a scan, as LocalTrajectoryPlanner does, and hands the map over to be planned on; the UAV is at its origin.
+        """
+    def set_priority(self, priority: Raster) -> None:
+        """
+        Another Raster in [0, 1], from the next scan on; until then there is no path.
+        """
+    def set_way_points(self, way_points: typing.Any) -> None:
+        """
+        The old name of `set_waypoints`.
         """
     def set_waypoints(self, waypoints: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> None:
         """
@@ -1454,7 +1819,7 @@ class ConcurrentTrajectoryPlanner:
         """
     def wait(self, seconds: typing.SupportsFloat | typing.SupportsIndex = ...) -> bool:
         """
-        Returns when the planning thread has decided on the last scan, or after so long [s]; whether it has. Raises
+        Returns when the planning thread has decided on the newest map, or after so long [s]; whether it has. Raises
         what it has raised.
         """
     @property
@@ -1469,11 +1834,18 @@ class ConcurrentTrajectoryPlanner:
         """
     @property
     def map(self) -> ObstacleMap:
-        ...
+        """
+        a read-only view: see `load_map` and `clear_map`
+        """
     @property
     def scans(self) -> int:
         """
         sensed so far
+        """
+    @property
+    def way_points(self) -> typing.Any:
+        """
+        The old name of `waypoints`.
         """
     @property
     def waypoints(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
@@ -1499,17 +1871,34 @@ def inflate(grid: OccupancyGrid, radius: typing.SupportsFloat | typing.SupportsI
     The grid with every cell blocked whose box is within `radius` [m] of the box of a blocked one: any radius > 0
     adds at least the 26 neighbours, 0 none.
     """
+def pareto_front(scene: Scene, query: Query, options: ExactOptions = ..., budget: Budget = ...) -> Front:
+    """
+    All paths of which none is both shorter (L) and over better ground (R = p_max L - P, p_max the largest priority in
+    the window, P the priority integral). With options.eps, for each path one of them has at most (1 + eps) times its
+    L and its R. OUT_OF_BUDGET where memory or budget end. ValueError for a query that is not finite and for a wrong
+    option. Lets other threads run; Ctrl-C interrupts it.
+    """
 def path_length(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> float:
     """
     Length of a polyline, path: (N, 3) [m].
     """
+@typing.overload
+def penalty(tally: PathTally, direct_length: typing.SupportsFloat | typing.SupportsIndex, weights: PenaltyWeights = ...) -> float:
+    """
+    Eq. (5): weights.length * L / direct_length - weights.priority * mean priority.
+    """
+@typing.overload
 def penalty(tally: PathTally, direct_length: typing.SupportsFloat | typing.SupportsIndex, length_weight: typing.SupportsFloat | typing.SupportsIndex = 0.5, priority_weight: typing.SupportsFloat | typing.SupportsIndex = 1.0) -> float:
     """
-    Eq. (5): length_weight * L / direct_length - priority_weight * mean priority.
+    Deprecated: give `weights`.
     """
-def planner_names() -> list[str]:
+def planner_info(name: str) -> PlannerInfo:
     """
-    The planners' names, in the order of the paper's tables.
+    The planner of a name; an old name warns. ValueError for an unknown one, listing those known.
+    """
+def planners() -> list[PlannerInfo]:
+    """
+    All planners, in the order of the paper's tables.
     """
 def point_at(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], arc_length: typing.SupportsFloat | typing.SupportsIndex) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
     """

@@ -8,10 +8,11 @@ import numpy as np
 
 from ltp._core import GridFrame, OccupancyGrid, Query, Raster, flood_fill
 from ltp.config import MissionConfig
-from ltp.evaluation.queries import QuerySet, RecordedQuery
-from ltp.evaluation.rows import FlightRow
+from ltp.evaluation.campaign import FlightRow
+from ltp.evaluation.campaign.variants import at_ratio
+from ltp.evaluation.gap.queries import QuerySet, RecordedQuery
 from ltp.evaluation.sensed import CellMap
-from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WaypointEvent
+from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WaypointEntry
 from ltp.world import LandClass, World
 
 ATTRIBUTION = "Made-up boxes, for tests only"
@@ -59,7 +60,7 @@ def patchwork(seed, count=6, size=(30, 30, 6), density=0.2):
 
 
 def event(index, outcome="reached", reason="", goal=(0, 0, 0), position=(0, 0, 0)):
-    return WaypointEvent(
+    return WaypointEntry(
         index=index,
         outcome=outcome,
         reason=reason,
@@ -146,3 +147,18 @@ def row(**changes):
         "time_flight": 0.5,
     }
     return FlightRow(**(values | changes))
+
+
+def flight(planner: str, scenario: int, ratio: float = 2.0, kind: str = "binary", **values):
+    """A row of a campaign: a contender at a ratio W_P / W_L over a map."""
+    wanted = at_ratio(ratio, planner, kind)
+    return row(
+        key=f"{planner}{scenario}{ratio}{kind}",
+        planner=wanted.planner,
+        refine=wanted.refine,
+        scenario=scenario,
+        length_weight=wanted.length_weight,
+        priority_weight=wanted.priority_weight,
+        priority_map=kind,
+        **values,
+    )

@@ -33,9 +33,13 @@ def tower() -> ltp.HeightSurface:
 def test_each_scan_waited_for_gives_the_flight_of_one_thread() -> None:
     surface, lidar = tower(), ltp.Lidar()
     one, two = make(ltp.LocalTrajectoryPlanner), make()
+    other = ltp.Raster(np.arange(12000.0).reshape(120, 100) % 7 / 7, origin=(0.0, 0.0), cell=2.0)
     two.start()
     position = START
     for tick in range(2000):
+        if tick in (60, 160):
+            for planner in (one, two):
+                planner.set_priority(other if tick == 60 else priority())
         scan = lidar.scan(surface, ltp.Pose(position), tick)
         one.sense(scan.origin, scan.hits)
         status = one.update(position)
@@ -70,6 +74,20 @@ def test_without_a_thread_it_plans_when_it_is_told_to() -> None:
     wall = np.array([[50.0, y, 30.0] for y in np.arange(40.0, 80.0, 0.5)])
     planner.sense(START, wall)
     assert 20.0 < planner.blocked_at < 30.0
+
+
+def test_another_priority_takes_back_the_path_until_the_next_scan() -> None:
+    planner = make()
+    planner.sense(START, np.empty((0, 3)))
+    planner.plan()
+    assert planner.decision.status == ltp.NavigationStatus.FOLLOWING
+    planner.set_priority(ltp.Raster(np.ones((1, 1))))
+    assert planner.decision.status == ltp.NavigationStatus.HOLDING
+    assert len(planner.decision.path) == 0
+    planner.sense(START, np.empty((0, 3)))
+    planner.plan()
+    assert planner.decision.status == ltp.NavigationStatus.FOLLOWING
+    assert planner.decision.plans_made == 2
 
 
 def test_a_decision_is_a_copy_that_stays() -> None:

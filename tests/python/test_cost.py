@@ -29,7 +29,7 @@ def test_the_paper_worked_out_by_hand() -> None:
     assert sums.priority == pytest.approx(5 + 22 * 0.25)  # Eq. (4), numerator
     assert sums.mean_priority == pytest.approx(10.5 / 27)
     direct = math.dist(path[0], path[-1])
-    penalty = ltp.penalty(sums, direct, length_weight=0.5, priority_weight=2.0)
+    penalty = ltp.penalty(sums, direct, ltp.PenaltyWeights(length=0.5, priority=2.0))
     assert penalty == pytest.approx(0.5 * 27 / direct - 2.0 * 10.5 / 27)  # Eq. (5)
     assert ltp.penalty(sums, direct) == pytest.approx(0.5 * 27 / direct - 10.5 / 27)
     assert repr(sums) == "PathTally(length=27.0, priority=10.5)"
@@ -37,7 +37,18 @@ def test_the_paper_worked_out_by_hand() -> None:
 
 def test_the_straight_way_over_priority_one_costs_the_weights() -> None:
     sums = ltp.tally(np.array([[1.0, 1, 3], [9, 1, 3]]), halves())
-    assert ltp.penalty(sums, 8.0, length_weight=0.5, priority_weight=3.0) == pytest.approx(-2.5)
+    assert ltp.penalty(sums, 8.0, ltp.PenaltyWeights(length=0.5, priority=3.0)) == pytest.approx(
+        -2.5
+    )
+
+
+def test_a_tally_is_made_of_both_integrals() -> None:
+    sums = ltp.PathTally(length=27.0, priority=10.5)
+    assert (sums.length, sums.priority, sums.mean_priority) == (27.0, 10.5, 10.5 / 27.0)
+    weights = ltp.PenaltyWeights(length=0.5, priority=2.0)
+    assert ltp.penalty(sums, 20.0, weights) == pytest.approx(0.5 * 27 / 20 - 2.0 * 10.5 / 27)
+    with pytest.raises(TypeError):
+        ltp.PathTally(27.0, 10.5)
 
 
 def test_start_equals_goal() -> None:
@@ -65,10 +76,13 @@ def test_a_tally_is_a_sum_over_pieces(path: np.ndarray) -> None:
 @pytest.mark.parametrize(
     ("name", "arguments"),
     [
-        ("length_weight", {"length_weight": -1.0}),
-        ("length_weight", {"length_weight": NAN}),
-        ("priority_weight", {"priority_weight": INF}),
-        ("length_weight \\+ priority_weight", {"length_weight": 0, "priority_weight": 0}),
+        ("weights.length", {"weights": ltp.PenaltyWeights(length=-1.0)}),
+        ("weights.length", {"weights": ltp.PenaltyWeights(length=NAN)}),
+        ("weights.priority", {"weights": ltp.PenaltyWeights(priority=INF)}),
+        (
+            "weights.length \\+ weights.priority",
+            {"weights": ltp.PenaltyWeights(length=0.0, priority=0.0)},
+        ),
         ("direct_length", {"direct_length": -1.0}),
         ("direct_length", {"direct_length": NAN}),
     ],

@@ -29,7 +29,7 @@ def losses(front: ltp.Front, priority: ltp.Raster) -> np.ndarray:
 
 def test_the_front_is_sorted_and_its_paths_have_its_tallies() -> None:
     scene, query, priority = puzzle(1)
-    front = ltp.make_planner("pareto").front(scene, query)
+    front = ltp.pareto_front(scene, query)
     assert front.status == ltp.PlanStatus.FOUND
     count = len(front.paths)
     assert front.tallies.shape == (count, 2)
@@ -41,15 +41,16 @@ def test_the_front_is_sorted_and_its_paths_have_its_tallies() -> None:
         assert (tally.length, tally.priority) == (length, integral)
         np.testing.assert_array_equal(path[0], query.start)
         np.testing.assert_array_equal(path[-1], query.goal)
-    shortest = ltp.make_planner("pareto", priority_weight=0.0).plan(scene, query)
+    length_only = ltp.PenaltyWeights(priority=0.0)
+    shortest = ltp.make_planner("exact", weights=length_only).plan(scene, query)
     assert front.tallies[0, 0] == pytest.approx(shortest.tally.length, rel=1e-12)
     assert "FOUND" in repr(front)
 
 
 def test_the_optimum_is_on_the_front_where_the_length_weighs_enough() -> None:
     scene, query, _ = puzzle(2)
-    planner = ltp.make_planner("pareto", length_weight=1.0, priority_weight=1.0)
-    plan, front = planner.plan(scene, query), planner.front(scene, query)
+    planner = ltp.make_planner("exact", weights=ltp.PenaltyWeights(length=1.0, priority=1.0))
+    plan, front = planner.plan(scene, query), ltp.pareto_front(scene, query)
     direct = math.dist(query.start, query.goal)
     length, integral = front.tallies.T
     assert (length / direct - integral / length).min() == pytest.approx(plan.penalty, abs=1e-9)
@@ -59,8 +60,8 @@ def test_the_optimum_is_on_the_front_where_the_length_weighs_enough() -> None:
 
 def test_a_coarse_front_keeps_its_factor() -> None:
     scene, query, priority = puzzle(3)
-    planner = ltp.make_planner("pareto")
-    fine, coarse = planner.front(scene, query), planner.front(scene, query, eps=0.05)
+    fine = ltp.pareto_front(scene, query)
+    coarse = ltp.pareto_front(scene, query, ltp.ExactOptions(eps=0.05))
     assert 0 < len(coarse.paths) < len(fine.paths)
     mine, theirs = losses(fine, priority), losses(coarse, priority)
     for length, loss in zip(fine.tallies[:, 0], mine, strict=True):
@@ -70,22 +71,23 @@ def test_a_coarse_front_keeps_its_factor() -> None:
 
 def test_it_answers_by_status_and_refuses_what_is_wrong() -> None:
     scene, query, _ = puzzle(4)
-    planner = ltp.make_planner("pareto")
-    outside = planner.front(scene, ltp.Query((5, 7, 2), (500, 7, 2)))
+    outside = ltp.pareto_front(scene, ltp.Query((5, 7, 2), (500, 7, 2)))
     assert outside.status == ltp.PlanStatus.OUTSIDE_MAP
     assert outside.tallies.shape == (0, 2)
     assert outside.paths == []
-    small = ltp.make_planner("pareto", pareto=ltp.ParetoOptions(memory=0.01))
-    assert small.front(scene, query).status == ltp.PlanStatus.OUT_OF_BUDGET
-    few = ltp.make_planner("pareto", max_expansions=10)
-    assert few.front(scene, query).status == ltp.PlanStatus.OUT_OF_BUDGET
-    for eps in (-0.1, math.nan, math.inf):
-        with pytest.raises(ValueError, match=r"^eps = "):
-            planner.front(scene, query, eps)
+    small = ltp.pareto_front(scene, query, ltp.ExactOptions(memory=0.01))
+    assert small.status == ltp.PlanStatus.OUT_OF_BUDGET
+    few = ltp.pareto_front(scene, query, budget=ltp.Budget(max_expansions=10))
+    assert few.status == ltp.PlanStatus.OUT_OF_BUDGET
+    for option, value in (("memory", 0.0), ("eps", -0.1), ("eps", math.nan), ("eps", math.inf)):
+        with pytest.raises(ValueError, match=rf"^exact\.{option} = "):
+            ltp.pareto_front(scene, query, ltp.ExactOptions(**{option: value}))
     with pytest.raises(ValueError, match=r"^start = "):
-        planner.front(scene, ltp.Query((math.nan, 7, 2), (55, 51, 2)))
-    with pytest.raises(ValueError, match=r"^planner = 'sweep': expected 'pareto'"):
-        ltp.make_planner("sweep").front(scene, query)
-    for option, value in (("memory", 0.0), ("eps", -1.0)):
-        with pytest.raises(ValueError, match=rf"^pareto.{option} = "):
-            ltp.make_planner("pareto", pareto=ltp.ParetoOptions(**{option: value}))
+        ltp.pareto_front(scene, ltp.Query((math.nan, 7, 2), (55, 51, 2)))
+
+
+def test_the_front_of_a_planner_is_the_old_name() -> None:
+    scene, query, _ = puzzle(1)
+    with pytest.warns(DeprecationWarning, match=r"ltp\.pareto_front"):
+        front = ltp.make_planner("exact").front(scene, query)
+    np.testing.assert_array_equal(front.tallies, ltp.pareto_front(scene, query).tallies)

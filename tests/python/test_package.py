@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The package as a user meets it: what it imports, what it holds, how it is called."""
 
+import ast
 import importlib.metadata
 import json
 import re
@@ -44,8 +45,9 @@ def distribution() -> importlib.metadata.Distribution:
     return found
 
 
-def test_import_needs_numpy_only() -> None:
-    brought = modules_brought_by("import ltp")
+def test_import_needs_nothing_and_a_name_numpy_only() -> None:
+    assert modules_brought_by("import ltp") == {"ltp"}
+    brought = modules_brought_by("from ltp import World, make_planner")
     assert {"ltp", "numpy"} <= brought
     # numpy.random brings along what Cython made of it.
     assert brought - {"ltp"} <= modules_brought_by("import numpy.random")
@@ -58,6 +60,19 @@ def test_every_public_name_is_there() -> None:
     assert len(set(ltp.__all__)) == len(ltp.__all__) > 4
 
 
+def test_names_are_found_listed_and_told_from_others() -> None:
+    assert set(ltp.__all__) <= set(dir(ltp))
+    everything: dict[str, object] = {}
+    exec("from ltp import *", everything)
+    assert set(ltp.__all__) <= set(everything)
+    for script in ("import ltp\nltp.World", "import ltp\nltp.world.World", "from ltp import sim"):
+        run(sys.executable, "-c", script)  # also when it is the first that is asked for
+    with pytest.raises(AttributeError, match="module 'ltp' has no attribute 'Wrold'"):
+        ltp.Wrold  # noqa: B018
+    with pytest.raises(ImportError, match="cannot import name 'Wrold'"):
+        exec("from ltp import Wrold")
+
+
 def test_public_objects_explain_themselves() -> None:
     silent = [
         name
@@ -67,10 +82,25 @@ def test_public_objects_explain_themselves() -> None:
     assert silent == []
 
 
+def test_no_two_types_share_a_name_across_the_border() -> None:
+    compiled = {name for name, value in vars(ltp._core).items() if isinstance(value, type)}
+    written = {
+        node.name: path.name
+        for path in (ROOT / "python/ltp").rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text()))
+        if isinstance(node, ast.ClassDef)
+    }
+    assert {name: written[name] for name in compiled & written.keys()} == {}
+    assert len(compiled) > 20
+    assert len(written) > 40
+
+
 def test_one_version_number() -> None:
     match = re.search(r"project\(ltp VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())
     assert match is not None
     assert ltp.__version__ == match[1]
+    assert f"\nversion: {match[1]}\n" in (ROOT / "CITATION.cff").read_text()
+    assert f"\n## [{match[1]}] - " in (ROOT / "CHANGELOG.md").read_text()
 
 
 def test_installed_version_is_the_modules() -> None:
@@ -116,13 +146,11 @@ def code_in_readme(language: str) -> str:
     return match[1]
 
 
-def test_the_python_of_the_readme_runs() -> None:
-    assert re.match(r"PlanStatus.FOUND \d", run(sys.executable, "-c", code_in_readme("python")))
-
-
-def test_the_cpp_of_the_readme_is_the_program_that_is_tested() -> None:
-    program = (ROOT / "tests/consumer/plan_a_path.cpp").read_text()
+def test_the_readme_shows_the_examples_that_are_tested() -> None:
+    program = (ROOT / "examples/01_plan.cpp").read_text()
     assert code_in_readme("cpp") == program[program.index("#include") :]
+    script = (ROOT / "examples/01_plan.py").read_text()
+    assert code_in_readme("python") == script[script.index("import") :]
 
 
 def test_every_source_names_its_licence() -> None:
@@ -132,7 +160,7 @@ def test_every_source_names_its_licence() -> None:
     )
     sources = [
         path
-        for folder in ("cpp", "python", "tests", ".ci")
+        for folder in ("cpp", "python", "examples", "tests", "docs", ".ci")
         for path in (ROOT / folder).rglob("*")
         if path.suffix in (".py", ".pyi", ".cpp", ".hpp", ".in") or path.name == "CMakeLists.txt"
     ]

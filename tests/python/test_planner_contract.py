@@ -5,9 +5,10 @@
 import gc
 import itertools
 import math
+import re
 import threading
 from collections.abc import Callable
-from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -29,30 +30,19 @@ def make(name: str, **options: object) -> ltp.Planner:
     return ltp.make_planner(name, bezier=bezier, hermite=hermite, **options)
 
 
-@dataclass(frozen=True)
-class Traits:
-    """Where the planners differ by right."""
-
-    complete: bool = True
-    anytime: bool = False  # out of budget it keeps what it has
-    remembers: bool = False  # what it answers may depend on what it was asked before
-    most: Callable[[int], int] = lambda cells: cells  # that it expands in so many cells
-
-
+TRAITS = {info.name: info for info in ltp.planners()}
+PLANNERS = tuple(TRAITS)
 SWEPT = ltp.LinearisedOptions()
-SWEEP = Traits(
-    anytime=True, remembers=True, most=lambda cells: SWEPT.searches * cells + SWEPT.closing
-)
-TRAITS = dict.fromkeys(ltp.PLANNERS, Traits()) | {
-    "bezier": Traits(complete=False, most=lambda _: 7 * 7),
-    "additive": Traits(remembers=True),
-    "sweep": SWEEP,
-    "pareto": Traits(most=lambda cells: cells << 32),  # many labels a cell
-    "incremental": Traits(remembers=True, most=lambda cells: 3 * cells),  # repairs
-    "ara-star": Traits(anytime=True, most=lambda cells: 5 * cells),  # weights 3, 2.5, ... 1
-    "bug": Traits(complete=False, most=lambda cells: 8 * cells + 8),  # looks, in two planes
-    "hermite": Traits(complete=False, most=lambda _: 3 * 3 + 2 * 6 * 16),
-    "auto": SWEEP,
+
+# The most that a planner expands in so many cells, where that is more than the cells themselves.
+MOST: dict[str, Callable[[int], int]] = {
+    "bezier": lambda _: 7 * 7,
+    "sweep": lambda cells: SWEPT.searches * cells + SWEPT.closing,
+    "exact": lambda cells: cells << 32,  # many labels a cell
+    "ara-star": lambda cells: 5 * cells,  # weights 3, 2.5, ... 1
+    "tangent-bug": lambda cells: 8 * cells + 8,  # looks, in two planes
+    "hermite": lambda _: 3 * 3 + 2 * 6 * 16,
+    "auto": lambda cells: SWEPT.searches * cells + SWEPT.closing,
 }
 
 
@@ -86,17 +76,17 @@ def passes_through(blocked: np.ndarray, path: np.ndarray, shrunk: float) -> bool
 
 
 def test_the_planners_are_those_of_the_paper_and_the_new_ones() -> None:
-    assert ltp.PLANNERS[:5] == ("lp-dijkstra", "lp-a-star", "wlp-a-star", "ggwp", "bezier")
-    assert ltp.PLANNERS[5:9] == ("additive", "sweep", "pareto", "incremental")
-    assert ltp.PLANNERS[9:] == ("ara-star", "risk-a-star", "bug", "hermite", "auto")
-    assert list(TRAITS) == list(ltp.PLANNERS)
-    assert [make(name).name for name in ltp.PLANNERS] == list(ltp.PLANNERS)
-    assert {n: make(n).complete for n in ltp.PLANNERS} == {n: t.complete for n, t in TRAITS.items()}
+    assert PLANNERS[:5] == ("lp-dijkstra", "lp-a-star", "wlp-a-star", "ggwp", "bezier")
+    assert PLANNERS[5:8] == ("additive", "sweep", "exact")
+    assert PLANNERS[8:] == ("ara-star", "risk-a-star", "tangent-bug", "hermite", "auto")
+    assert ltp.PLANNERS == PLANNERS
+    assert [make(name).name for name in PLANNERS] == list(PLANNERS)
+    assert {n: make(n).complete for n in PLANNERS} == {n: t.complete for n, t in TRAITS.items()}
     with pytest.raises(ValueError, match=r"^planner = 'a-star': expected one of lp-dijkstra, "):
         ltp.make_planner("a-star")
 
 
-@pytest.mark.parametrize("name", ltp.PLANNERS)
+@pytest.mark.parametrize("name", PLANNERS)
 @settings(deadline=None, max_examples=120)
 @given(
     shape=st.tuples(st.integers(1, 7), st.integers(1, 7), st.integers(1, 5)),
@@ -158,13 +148,13 @@ def test_random_worlds(
         assert plan.penalty == pytest.approx(ltp.penalty(again, direct), rel=1e-12)
     else:
         assert plan.tally.length == 0
-    assert plan.stats.expanded <= TRAITS[name].most(blocked.size)
+    assert plan.stats.expanded <= MOST.get(name, int)(blocked.size)
     twice = (make(name, refine=refine) if TRAITS[name].remembers else planner).plan(scene, query)
     assert twice.path.tobytes() == plan.path.tobytes()
     assert twice.penalty == plan.penalty
 
 
-@pytest.mark.parametrize("name", ltp.PLANNERS)
+@pytest.mark.parametrize("name", PLANNERS)
 def test_a_goal_outside_the_window_is_a_status(name: str) -> None:
     scene = scene_of(np.zeros((4, 4, 2), bool))
     here = centre(1, 1, 0)
@@ -173,7 +163,7 @@ def test_a_goal_outside_the_window_is_a_status(name: str) -> None:
         assert make(name).plan(scene, ltp.Query(far, here)).status == PlanStatus.OUTSIDE_MAP
 
 
-@pytest.mark.parametrize("name", ltp.PLANNERS)
+@pytest.mark.parametrize("name", PLANNERS)
 def test_a_wrong_query_is_an_error_that_names_it(name: str) -> None:
     scene = scene_of(np.zeros((4, 4, 2), bool))
     good = {"start": centre(0, 0, 0), "goal": centre(3, 3, 1), "band": (0.0, INF)}
@@ -207,16 +197,12 @@ def test_a_wrong_query_is_an_error_that_names_it(name: str) -> None:
     assert planner.plan(scene, ltp.Query(**good)).status == PlanStatus.FOUND
 
 
-@pytest.mark.parametrize("name", ltp.PLANNERS)
+@pytest.mark.parametrize("name", PLANNERS)
 def test_a_wrong_option_is_an_error_that_names_it(name: str) -> None:
-    for option, value in [
-        ("length_weight", -1.0),
-        ("length_weight", NAN),
-        ("priority_weight", INF),
-        ("max_expansions", -1),
-    ]:
-        with pytest.raises(ValueError, match=rf"^{option} = "):
-            ltp.make_planner(name, **{option: value})
+    for option, value in [("length", -1.0), ("length", NAN), ("priority", INF)]:
+        weights = ltp.PenaltyWeights(**{option: value})
+        with pytest.raises(ValueError, match=rf"^weights\.{option} = "):
+            ltp.make_planner(name, weights=weights)
     for option, value in [
         ("bezier.offsets", 4),
         ("bezier.reach", -1.0),
@@ -226,7 +212,7 @@ def test_a_wrong_option_is_an_error_that_names_it(name: str) -> None:
         ("ara.first_weight", 0.5),
         ("ara.step", 0.0),
         ("risk.length_factor", -0.1),
-        ("bug.range", NAN),
+        ("tangent_bug.range", NAN),
         ("hermite.segments", 1),
         ("hermite.starts", 2),
         ("hermite.reach", INF),
@@ -234,31 +220,71 @@ def test_a_wrong_option_is_an_error_that_names_it(name: str) -> None:
         ("hermite.iterations", -1),
     ]:
         group, field = option.split(".")
-        options = getattr(ltp, group.capitalize() + "Options")(**{field: value})
+        kind = "".join(word.capitalize() for word in group.split("_")) + "Options"
+        options = getattr(ltp, kind)(**{field: value})
         with pytest.raises(ValueError, match=rf"^{option} = "):
             ltp.make_planner(name, **{group: options})
     with pytest.raises(TypeError, match="length_wieght"):
         ltp.make_planner(name, length_wieght=1.0)
-    for option in ("length_weight", "max_expansions", "bezier"):
+    for option in ("weights", "refine", "bezier"):
         with pytest.raises(TypeError):
             ltp.make_planner(name, **{option: "much"})
 
 
-@pytest.mark.parametrize("name", ltp.PLANNERS)
+@pytest.mark.parametrize("name", PLANNERS)
 def test_a_budget_ends_the_search(name: str) -> None:
     blocked = np.zeros((9, 9, 3), bool)
     blocked[4, :8] = True
     scene, query = scene_of(blocked), ltp.Query(centre(1, 1, 1), centre(7, 1, 1))
     needed = make(name).plan(scene, query).stats.expanded
-    stopped = make(name, max_expansions=needed - 1).plan(scene, query)
+    stopped = make(name).plan(scene, query, ltp.Budget(max_expansions=needed - 1))
     assert stopped.stats.expanded == needed - 1
     if TRAITS[name].anytime and stopped.status == PlanStatus.FOUND:  # it keeps what it has
-        stopped = make(name, max_expansions=3).plan(scene, query)
+        stopped = make(name).plan(scene, query, ltp.Budget(max_expansions=3))
     assert stopped.status == PlanStatus.OUT_OF_BUDGET
-    assert make(name, max_expansions=needed + 1).plan(scene, query).status != stopped.status
+    enough = ltp.Budget(max_expansions=needed + 1)
+    assert make(name).plan(scene, query, enough).status != stopped.status
 
 
-@pytest.mark.parametrize("name", ltp.PLANNERS)
+@pytest.mark.parametrize("name", PLANNERS)
+def test_a_time_limit_ends_the_search(name: str) -> None:
+    blocked = np.zeros((60, 60, 10), bool)
+    blocked[30] = True  # a wall from edge to edge: whichever side a proof begins at, it is long
+    scene, query = scene_of(blocked), ltp.Query(centre(3, 30, 3), centre(50, 30, 5))
+    whole, late = ltp.make_planner(name), ltp.make_planner(name)
+    expanded = whole.plan(scene, query).stats.expanded
+    stopped = late.plan(scene, query, ltp.Budget(time_limit=1e-9))
+    assert stopped.status == PlanStatus.OUT_OF_BUDGET
+    assert stopped.stats.expanded < expanded
+    assert stopped.path.shape == (0, 3)
+
+
+@pytest.mark.parametrize("name", PLANNERS)
+def test_a_wrong_limit_is_an_error_that_names_it(name: str) -> None:
+    scene, query = scene_of(np.zeros((4, 4, 2), bool)), ltp.Query(centre(0, 0, 0), centre(3, 3, 1))
+    for limit, value in [("max_expansions", -1), ("time_limit", -0.1), ("time_limit", INF)]:
+        with pytest.raises(ValueError, match=rf"^{limit} = "):
+            make(name).plan(scene, query, ltp.Budget(**{limit: value}))
+
+
+def test_the_registry_is_what_the_document_lists() -> None:
+    text = (Path(__file__).parents[2] / "docs/planners.md").read_text()
+    for info in ltp.planners():
+        row = rf"\| \**`{info.name}`\** \|"
+        rows = [line for line in text.splitlines() if re.match(row, line)]
+        assert len(rows) == 1, info.name
+        assert make(info.name).info.name == info.name
+
+
+@pytest.mark.parametrize(("old", "new"), [("pareto", "exact"), ("bug", "tangent-bug")])
+def test_an_old_name_of_a_planner_warns(old: str, new: str) -> None:
+    with pytest.warns(DeprecationWarning, match=f"the planner '{old}' is now '{new}'"):
+        assert ltp.make_planner(old).name == new
+    with pytest.warns(DeprecationWarning, match=f"the planner '{old}' is now '{new}'"):
+        assert ltp.MissionConfig(planner=old).planner == new
+
+
+@pytest.mark.parametrize("name", PLANNERS)
 def test_scenes_keep_their_parts_and_plans_their_paths(name: str) -> None:
     scene = ltp.Scene(
         ltp.OccupancyGrid(ltp.GridFrame((0, 0, 0), CELL, (40, 40, 10))),
@@ -281,7 +307,7 @@ def test_scenes_keep_their_parts_and_plans_their_paths(name: str) -> None:
     assert len(noise) == 50
 
 
-@pytest.mark.parametrize("name", ltp.PLANNERS)
+@pytest.mark.parametrize("name", PLANNERS)
 def test_threads_take_turns_with_a_planner(name: str) -> None:
     rng = np.random.default_rng(1)
     planner = make(name)

@@ -17,7 +17,7 @@ import ltp
 CELLS = [(2.0, 2.0, 4.0), (1.0, 1.0, 1.0), (3.0, 1.0, 2.0)]
 HALF_THE_STEPS = [s for s in itertools.product((-1, 0, 1), repeat=3) if s > (0, 0, 0)]
 LP_PLANNERS = {"lp-dijkstra": 0.0, "lp-a-star": 1.0, "wlp-a-star": math.sqrt(3)}
-OUR_PLANNERS = ["additive", "sweep", "pareto", "incremental", "ara-star", "auto"]
+OUR_PLANNERS = ["additive", "sweep", "exact", "ara-star", "auto"]
 GRID_PLANNERS = [*LP_PLANNERS, "ggwp", *OUR_PLANNERS, "risk-a-star"]
 Cell = tuple[int, int, int]
 
@@ -108,7 +108,8 @@ def flooded(puzzle: Puzzle, planar: bool) -> bool:
 def test_on_1000_random_grids_lengths_are_scipys_and_reachability_is_a_floods() -> None:
     rng = np.random.default_rng(2)
     # W_L = 1, so that Eq. (9) is the length that it estimates.
-    planners = {n: ltp.make_planner(n, length_weight=1, priority_weight=0) for n in GRID_PLANNERS}
+    shortest = ltp.PenaltyWeights(length=1.0, priority=0.0)
+    planners = {name: ltp.make_planner(name, weights=shortest) for name in GRID_PLANNERS}
     found = dict.fromkeys(planners, 0)
     longer = dict.fromkeys(planners, 0)
     sealed = 0
@@ -253,9 +254,8 @@ def literal_search(
     [(0.5, 1.0, False), (0.5, 1.0, True), (1.0, 5.0, False), (0.2, 0.1, True)],
 )
 def test_the_papers_search_written_out(name: str, w_l: float, w_p: float, scaled: bool) -> None:
-    planner = ltp.make_planner(
-        name, length_weight=w_l, priority_weight=w_p, scaled_heuristic=scaled
-    )
+    weights = ltp.PenaltyWeights(length=w_l, priority=w_p)
+    planner = ltp.make_planner(name, weights=weights, scaled_heuristic=scaled)
     rng = np.random.default_rng(4)
     found = 0
     for number in range(60):
@@ -271,10 +271,24 @@ def test_the_papers_search_written_out(name: str, w_l: float, w_p: float, scaled
             penalty = w_l - w_p * puzzle.priority[puzzle.goal[:2]]
         else:
             tally = ltp.tally(path, puzzle.raster)
-            penalty = ltp.penalty(tally, direct, length_weight=w_l, priority_weight=w_p)
+            penalty = ltp.penalty(tally, direct, weights)
         assert plan.penalty == pytest.approx(penalty, abs=1e-9), number
         found += 1
     assert found > 30
+
+
+@pytest.mark.parametrize("new", ["length", "priority"])
+def test_the_old_names_of_the_weights_still_make_a_planner(new: str) -> None:
+    puzzle = Puzzle.random(np.random.default_rng(4), (5, 4, 1))
+    old = f"{new}_weight"
+    says = rf"{old}.*weights=PenaltyWeights\({new}="
+    with pytest.warns(DeprecationWarning, match=says) as caught:
+        planner = ltp.make_planner("lp-a-star", **{old: 3.0})
+    assert [warning.filename for warning in caught] == [__file__]
+    same = ltp.make_planner("lp-a-star", weights=ltp.PenaltyWeights(**{new: 3.0}))
+    plans = [each.plan(puzzle.scene, puzzle.query()) for each in (planner, same)]
+    assert plans[0].penalty == plans[1].penalty
+    assert plans[0].status == ltp.PlanStatus.FOUND
 
 
 def test_the_label_is_the_tally() -> None:
@@ -341,7 +355,7 @@ def test_no_planner_gets_into_200_hollow_boxes(
     planners = [ltp.make_planner(n) for n in GRID_PLANNERS]
     planners.append(ltp.make_planner("bezier", bezier=ltp.BezierOptions(offsets=5, reach=30.0)))
     hermite = ltp.HermiteOptions(segments=16, starts=3, refined=1, iterations=6)
-    planners += [ltp.make_planner("bug"), ltp.make_planner("hermite", hermite=hermite)]
+    planners += [ltp.make_planner("tangent-bug"), ltp.make_planner("hermite", hermite=hermite)]
     priority = ltp.Raster(np.ones((1, 1)), outside=1.0)
     for number in range(200):
         centre = rng.uniform((-500, -500, 20), (500, 500, 100))

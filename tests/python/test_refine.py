@@ -34,13 +34,13 @@ def scene(seed: int) -> ltp.Scene:
 def test_refined_paths_are_better_and_shorter(name: str) -> None:
     limits = {
         "bezier": ltp.BezierOptions(offsets=15, reach=30.0),
-        "pareto": ltp.ParetoOptions(memory=2.0),  # circling pays here: it shall give up soon
+        "exact": ltp.ExactOptions(memory=2.0),  # circling pays here: it shall give up soon
     }
     gains = []
     for seed in range(20):
         query = ltp.Query((3, 3 + 3 * seed, 14), (77, 71 - 3 * seed, 14), (0, 0))
         for w_p in (0.0, 1.0, 5.0):
-            options = {"length_weight": 0.5, "priority_weight": w_p, **limits}
+            options = {"weights": ltp.PenaltyWeights(length=0.5, priority=w_p), **limits}
             plain = ltp.make_planner(name, **options).plan(scene(seed), query)
             refined = ltp.make_planner(name, refine=True, **options).plan(scene(seed), query)
             assert refined.status == plain.status
@@ -58,14 +58,11 @@ def test_refined_paths_are_better_and_shorter(name: str) -> None:
 def test_a_mission_flies_refined_paths() -> None:
     world = town()
     path = np.array([(20.0, 20.0, 30.0), (60.0, 90.0, 30.0), (100.0, 110.0, 30.0)])
+    shortest = ltp.PenaltyWeights(length=1.0, priority=0.0)
+    options = [ltp.PlannerOptions(weights=shortest, refine=refine) for refine in (False, True)]
     plain, refined = (
-        fly(
-            world,
-            MissionConfig(planner="ggwp", length_weight=1.0, priority_weight=0.0, refine=r),
-            path,
-        )
-        for r in (False, True)
+        fly(world, MissionConfig(planner="ggwp", planner_options=each), path) for each in options
     )
-    assert refined.config.refine and not plain.config.refine
+    assert refined.config.planner_options.refine and not plain.config.planner_options.refine
     assert refined.outcome == plain.outcome == ltp.Outcome.REACHED
     assert refined.length < plain.length

@@ -1,0 +1,117 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The map of a planner that flies: who may change it, and that a change wakes a holding UAV."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import ltp
+
+START = np.array([0.0, 0.0, 50.0])
+GOAL = np.array([[40.0, 0.0, 50.0]])
+NOTHING = np.empty((0, 3))
+OPTIONS = ltp.ObstacleMapOptions(dims=[60, 60, 8])
+
+
+def court(half: float = 10.0) -> np.ndarray:
+    """Hits on four walls round the start."""
+    along = np.arange(-half, half, 0.5)
+    sides = [(along, -half), (along, half), (-half, along), (half, along)]
+    return np.concatenate(
+        [np.column_stack(np.broadcast_arrays(x, y, 50.0)) for x, y in sides]
+    ).astype(np.float64)
+
+
+class Alone:
+    """A UAV whose planner is asked by whoever flies it."""
+
+    kind = ltp.LocalTrajectoryPlanner
+
+    def __init__(self) -> None:
+        self.planner = self.kind(ltp.Raster(np.zeros((1, 1))), START, map_options=OPTIONS)
+        self.planner.set_waypoints(GOAL)
+
+    def decide(self) -> tuple[ltp.NavigationStatus, int]:
+        """The status and how many plans were made."""
+        return self.planner.update(START), self.planner.plans_made
+
+
+class Beside(Alone):
+    """A UAV whose planner plans on a thread of its own."""
+
+    kind = ltp.ConcurrentTrajectoryPlanner
+
+    def decide(self) -> tuple[ltp.NavigationStatus, int]:
+        """What was decided on the newest map."""
+        self.planner.start()
+        assert self.planner.wait()
+        return self.planner.decision.status, self.planner.decision.plans_made
+
+
+@pytest.fixture(params=[Alone, Beside])
+def held(request: pytest.FixtureRequest) -> Alone:
+    """A UAV that holds because of the walls round it."""
+    uav = request.param()
+    uav.planner.sense(START, court())
+    assert uav.decide() == (ltp.NavigationStatus.HOLDING, 1)
+    assert uav.decide() == (ltp.NavigationStatus.HOLDING, 1)  # the same map, the same answer
+    return uav
+
+
+def test_a_cleared_map_wakes_a_holding_uav(held: Alone) -> None:
+    before = held.planner.map.version
+    held.planner.clear_map()
+    assert held.planner.map.version == before + 1
+    assert held.planner.map.occupied.count() == 0
+    assert held.decide() == (ltp.NavigationStatus.FOLLOWING, 2)
+
+
+def test_a_loaded_map_wakes_a_holding_uav(held: Alone, tmp_path: Path) -> None:
+    tower = ltp.ObstacleMap(OPTIONS, START)
+    tower.insert(START, GOAL)
+    tower.save(tmp_path / "tower.bt")
+    held.planner.load_map(tmp_path / "tower.bt")
+    assert held.planner.map.occupied.blocked_at(GOAL).all()
+    assert held.decide()[0] == ltp.NavigationStatus.FINISHED  # the waypoint lies in the tower
+
+
+def test_a_file_that_is_none_is_named(held: Alone, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"none\.bt"):
+        held.planner.load_map(tmp_path / "none.bt")
+    assert held.decide() == (ltp.NavigationStatus.HOLDING, 1)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda view: view.insert(START, NOTHING),
+        lambda view: view.recentre(START + 10.0),
+        lambda view: view.clear(),
+        lambda view: view.load("map.bt"),
+        lambda view: view.occupied.roll((1, 0, 0)),
+        lambda view: view.blocked.roll((1, 0, 0)),
+        lambda view: view.voxels.roll((1, 0, 0)),
+    ],
+)
+def test_the_map_of_a_planner_is_read_only(held: Alone, change: Callable) -> None:
+    view = held.planner.map
+    cells, version = view.occupied.to_array(), view.version
+    with pytest.raises(ValueError, match="belongs to another object and is read-only"):
+        change(view)
+    np.testing.assert_array_equal(view.occupied.to_array(), cells)
+    assert view.version == version
+
+
+def test_the_map_of_a_planner_can_be_asked_and_saved(held: Alone, tmp_path: Path) -> None:
+    view = held.planner.map
+    assert view.log_odds_at(court()[0]) > 0.0
+    assert view.voxels.count() > view.occupied.count() / 2 > 0
+    view.save(tmp_path / "map.bt")
+    mine = ltp.ObstacleMap(view.options, START)
+    mine.load(tmp_path / "map.bt")  # one's own map may be changed
+    assert mine.occupied == view.occupied
+    mine.clear()
+    assert mine.version == 2
