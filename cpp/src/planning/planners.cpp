@@ -48,7 +48,7 @@ constexpr unsigned kExactGrid = Trait::Complete | Trait::OnGrid;
 constexpr unsigned kPriority = Trait::UsesPriority;
 constexpr unsigned kCertified = kExactGrid | kPriority | Trait::Bounds;
 
-const Row kRows[] = {
+constexpr Row kRows[] = {
     {{"lp-dijkstra", "LP-Dijkstra", Paper, kExactGrid | kPriority}, length_priority<0>},
     {{"lp-a-star", "LP-A*", Paper, kExactGrid | kPriority}, length_priority<1>},
     {{"wlp-a-star", "WLP-A* (√3)", Paper, kExactGrid | kPriority}, length_priority<3>},
