@@ -6,6 +6,7 @@ The public names stand in `ltp/_public.py`. They are loaded, numpy and the compi
 when the first of them is asked for: `ltp --help` needs none.
 """
 
+import warnings
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -18,6 +19,11 @@ else:
         public = _load()
         if name == "__all__" or name in public.__all__:
             return getattr(public, name)
+        if name in public.OLD_NAMES:
+            new = public.OLD_NAMES[name]
+            text = f"`{name}` is now `{new}`; the old name goes with the next release"
+            warnings.warn(text, DeprecationWarning, stacklevel=2)
+            return getattr(public, new)
         if name in globals():  # a room, e.g. `ltp.sim`: it came with the names
             return globals()[name]
         raise AttributeError(f"module 'ltp' has no attribute {name!r}")

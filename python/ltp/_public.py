@@ -109,3 +109,6 @@ __all__ = [
     "planners",
     "tally",
 ]
+
+#: Names of version 0.1, for one release, and what they are called now.
+OLD_NAMES = {"BugOptions": "TangentBugOptions", "ParetoOptions": "ExactOptions"}

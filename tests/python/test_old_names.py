@@ -48,6 +48,8 @@ FLOWN = record([event(0), event(1)])
         (FLOWN.plans[0], "way_point", "waypoint"),
         (row(), "way_points", "waypoints"),
         (ltp.sim, "WayPointEvent", "WaypointEntry"),
+        (ltp, "ParetoOptions", "ExactOptions"),
+        (ltp, "BugOptions", "TangentBugOptions"),
     ],
 )
 def test_an_old_name_warns_and_gives_what_the_new_one_gives(owner, old: str, new: str) -> None:

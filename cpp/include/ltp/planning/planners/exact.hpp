@@ -19,6 +19,8 @@ struct ExactOptions {
   void check() const;  ///< throws `std::invalid_argument` that names the field
 };
 
+using ParetoOptions [[deprecated("now ExactOptions")]] = ExactOptions;
+
 /// Exact over the simple paths of the planners' graph: cell centres, 26 steps, start and goal in
 /// place of the centres of their cells. A sweep gives a good path, the exact search goes on from
 /// there.

@@ -15,6 +15,8 @@ struct TangentBugOptions {
   void check() const;  ///< throws `std::invalid_argument` that names the field
 };
 
+using BugOptions [[deprecated("now TangentBugOptions")]] = TangentBugOptions;
+
 /// Kamon, Rimon, Rivlin, "TangentBug: a range-sensor-based navigation algorithm", Int. J. Robotics
 /// Research 17 (1998), on the cells of one level. What the robot senses are the cells that it sees
 /// by an exact walk, no farther than `range` away.
