@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "ltp/geometry/check.hpp"
-#include "ltp/planning/planners/canonical_a_star.hpp"
 #include "ltp/planning/planners/ggwp.hpp"
 #include "ltp/planning/planners/length_priority.hpp"
 #include "planning/planners/refine.hpp"
@@ -78,10 +77,6 @@ constexpr Row kRows[] = {
     {{"risk-a-star", "riskA*", Baseline, kExactGrid | kPriority},
      [](const PlannerInfo& i, const PlannerOptions& o) {
        return make_risk_a_star(i, o.weights, o.risk);
-     }},
-    {{"canonical-a-star", "Canonical A*", Baseline, kExactGrid},
-     [](const PlannerInfo& i, const PlannerOptions& o) {
-       return make_canonical_a_star(i, o.weights);
      }},
     {{"tangent-bug", "Tangent Bug", Baseline, 0},
      [](const PlannerInfo& i, const PlannerOptions& o) {
