@@ -8,7 +8,7 @@ import pytest
 import ltp
 import ltp.sim
 
-from .scenes import event, record, row
+from ..scenes import event, record, row
 
 START = np.array([20.0, 60.0, 30.0])
 ROUTE = np.array([[20.0, 60.0, 30.0], [90.0, 60.0, 30.0]])  # the first is reached at once

@@ -10,7 +10,7 @@ from ltp import PlanStatus
 from ltp.config import MissionConfig
 from ltp.sim.mission import fly
 
-from .scenes import town
+from ..scenes import town
 
 CELL = (2.0, 2.0, 4.0)
 

@@ -267,7 +267,7 @@ def test_a_wrong_limit_is_an_error_that_names_it(name: str) -> None:
 
 
 def test_the_registry_is_what_the_document_lists() -> None:
-    text = (Path(__file__).parents[2] / "docs/planners.md").read_text()
+    text = (Path(__file__).parents[3] / "docs/planners.md").read_text()
     for info in ltp.planners():
         row = rf"\| \**`{info.name}`\** \|"
         rows = [line for line in text.splitlines() if re.match(row, line)]
