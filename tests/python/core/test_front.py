@@ -79,6 +79,10 @@ def test_it_answers_by_status_and_refuses_what_is_wrong() -> None:
     assert small.status == ltp.PlanStatus.OUT_OF_BUDGET
     few = ltp.pareto_front(scene, query, budget=ltp.Budget(max_expansions=10))
     assert few.status == ltp.PlanStatus.OUT_OF_BUDGET
+    soon = ltp.pareto_front(scene, query, budget=ltp.Budget(time_limit=1e-9))
+    assert soon.status == ltp.PlanStatus.OUT_OF_BUDGET
+    with pytest.raises(ValueError, match=r"^max_expansions = -1"):
+        ltp.pareto_front(scene, query, budget=ltp.Budget(max_expansions=-1))
     for option, value in (("memory", 0.0), ("eps", -0.1), ("eps", math.nan), ("eps", math.inf)):
         with pytest.raises(ValueError, match=rf"^exact\.{option} = "):
             ltp.pareto_front(scene, query, ltp.ExactOptions(**{option: value}))

@@ -70,6 +70,23 @@ def test_the_old_way_to_set_waypoints_warns_and_sets_them(kind: type) -> None:
     assert len(planner.waypoints) == 1
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "options"),
+    [
+        ("pareto", "exact", ltp.ExactOptions(eps=0.25)),
+        ("bug", "tangent_bug", ltp.TangentBugOptions(range=7.0)),
+    ],
+)
+def test_the_old_options_of_a_planner_warn_and_are_the_new_ones(old: str, new: str, options):
+    made = ltp.PlannerOptions()
+    with pytest.warns(DeprecationWarning, match=f"`{old}` is now `{new}`") as warnings:
+        setattr(made, old, options)
+    assert warnings[0].filename == __file__
+    with pytest.warns(DeprecationWarning, match=f"`{old}` is now `{new}`"):
+        assert repr(getattr(made, old)) == repr(getattr(made, new)) == repr(options)
+    assert f" {old}=" not in repr(made)
+
+
 def test_no_other_old_name_is_made_up() -> None:
     with pytest.raises(AttributeError, match="WayPoints"):
         _ = ltp.sim.WayPoints

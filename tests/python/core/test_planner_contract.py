@@ -251,19 +251,45 @@ def test_a_time_limit_ends_the_search(name: str) -> None:
     blocked[30] = True  # a wall from edge to edge: whichever side a proof begins at, it is long
     scene, query = scene_of(blocked), ltp.Query(centre(3, 30, 3), centre(50, 30, 5))
     whole, late = ltp.make_planner(name), ltp.make_planner(name)
-    expanded = whole.plan(scene, query).stats.expanded
+    expected = whole.plan(scene, query)
     stopped = late.plan(scene, query, ltp.Budget(time_limit=1e-9))
     assert stopped.status == PlanStatus.OUT_OF_BUDGET
-    assert stopped.stats.expanded < expanded
+    assert stopped.stats.expanded < expected.stats.expanded
     assert stopped.path.shape == (0, 3)
+    # It is as good as new, and time enough changes nothing.
+    again = late.plan(scene, query, budget=ltp.Budget(time_limit=600.0))
+    assert (again.status, again.stats.expanded) == (expected.status, expected.stats.expanded)
+
+
+@pytest.mark.parametrize("name", [name for name in PLANNERS if TRAITS[name].anytime])
+def test_an_anytime_planner_keeps_its_path_when_the_budget_ends(name: str) -> None:
+    blocked = np.zeros((60, 60, 10), bool)
+    blocked[30] = True
+    blocked[30, 0, 0] = False  # a hole in the wall, far from the straight line
+    scene, query = scene_of(blocked), ltp.Query(centre(3, 30, 3), centre(50, 30, 5))
+    whole = make(name).plan(scene, query)
+    ends = np.linspace(1000, whole.stats.expanded + 1, 12, dtype=int).tolist()
+    plans = [make(name).plan(scene, query, ltp.Budget(max_expansions=n)) for n in ends]
+    assert [plan.stats.expanded for plan in plans[:-1]] == ends[:-1]
+    found = [plan for plan in plans if plan.status == PlanStatus.FOUND]
+    first = len(plans) - len(found)
+    assert {plan.status for plan in plans[:first]} == {PlanStatus.OUT_OF_BUDGET}
+    assert 2 < len(found) < len(plans)
+    penalties = [plan.penalty for plan in found]
+    assert penalties == sorted(penalties, reverse=True)  # more effort, no worse path
+    assert penalties[-1] == whole.penalty
 
 
 @pytest.mark.parametrize("name", PLANNERS)
 def test_a_wrong_limit_is_an_error_that_names_it(name: str) -> None:
     scene, query = scene_of(np.zeros((4, 4, 2), bool)), ltp.Query(centre(0, 0, 0), centre(3, 3, 1))
-    for limit, value in [("max_expansions", -1), ("time_limit", -0.1), ("time_limit", INF)]:
+    wrong = [("max_expansions", -1), *(("time_limit", value) for value in (-0.1, INF, NAN))]
+    for limit, value in wrong:
         with pytest.raises(ValueError, match=rf"^{limit} = "):
             make(name).plan(scene, query, ltp.Budget(**{limit: value}))
+    for no_budget in (3, {"time_limit": 1.0}):
+        with pytest.raises(TypeError):
+            make(name).plan(scene, query, no_budget)
 
 
 def test_the_registry_is_what_the_document_lists() -> None:
@@ -273,6 +299,8 @@ def test_the_registry_is_what_the_document_lists() -> None:
         rows = [line for line in text.splitlines() if re.match(row, line)]
         assert len(rows) == 1, info.name
         assert make(info.name).info.name == info.name
+    listed = re.findall(r"^\| \**`([^`]+)`\** \|", text, re.MULTILINE)
+    assert sorted(listed) == sorted(PLANNERS)
 
 
 @pytest.mark.parametrize(("old", "new"), [("pareto", "exact"), ("bug", "tangent-bug")])
