@@ -8,6 +8,8 @@ from typing import Any
 import typer
 from typer.core import TyperGroup
 
+from .output import note
+
 #: Set to anything, this environment variable lets a mistake show its whole traceback.
 TRACEBACK = "LTP_TRACEBACK"
 
@@ -24,12 +26,12 @@ class PoliteGroup(TyperGroup):
         except (typer.Exit, typer.Abort, BrokenPipeError):
             raise  # no mistakes: the end of `--help`, `ltp ... | head`
         except KeyboardInterrupt:
-            _complain("interrupted")
+            note("interrupted")
             raise typer.Exit(_INTERRUPTED) from None
         except (ValueError, OSError, ImportError, RuntimeError) as error:
             if TRACEBACK in os.environ:
                 raise
-            _complain(f"error: {_one_line(error)}")
+            note(f"error: {_one_line(error)}")
             raise typer.Exit(2) from error
 
 
@@ -48,10 +50,6 @@ def make_group(name: str, text: str) -> typer.Typer:
         rich_markup_mode=None,
         context_settings={"max_content_width": 100},
     )
-
-
-def _complain(text: str) -> None:
-    typer.echo(f"ltp: {text}", err=True)
 
 
 def _one_line(error: BaseException) -> str:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from .inputs import names, read_flights_over
+from .inputs import planner_names, read_flights_over
 from .options import FlightsArgument, PictureFile, WorldArgument
 from .output import write_figure
 
@@ -44,4 +44,4 @@ def curve(
     from ltp.evaluation.figures.curves import curve_figure
 
     rows, place = read_flights_over(flights, world)
-    write_figure(curve_figure(rows, place.attribution, names(planners)), out)
+    write_figure(curve_figure(rows, place.attribution, planner_names("--planners", planners)), out)

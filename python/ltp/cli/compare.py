@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from .inputs import names, read_flights
+from .inputs import names, planner_names, read_flights
 from .naming import naming
 from .options import FlightsArgument, Ratio
 from .output import say, tell, write_text
@@ -46,7 +46,7 @@ def compare(
     """
     from ltp.evaluation.campaign.compare import compare_all, flown_maps, markdown_comparisons
 
-    rows, wanted = read_flights(flights), names(planners)
+    rows, wanted = read_flights(flights), planner_names("--planners", planners)
     if len(wanted) < 2:
         raise ValueError(f"--planners must name two planners or more, not {planners!r}")
     with naming(ratio="--ratio"):

@@ -9,7 +9,7 @@ import typer
 
 from .campaign_tables import write_tables
 from .global_paths import GlobalPaths
-from .inputs import names, numbers, open_config, open_world, workers
+from .inputs import names, numbers, open_config, open_world, planner_names, workers
 from .naming import naming
 from .options import Config, PriorityMaps, Processes, ResumedFolder, WorldArgument
 from .output import console, resumable, say, tell
@@ -111,7 +111,7 @@ def _variants(rows: str, planners: str, ratios: str, maps: str, refine: bool) ->
     if not kinds or (strange := [kind for kind in kinds if kind not in PRIORITY_MAPS]):
         wrong = strange[0] if kinds else maps
         raise ValueError(f"--maps: {wrong!r} is none of {', '.join(PRIORITY_MAPS)}")
-    wanted = names(planners)
+    wanted = planner_names("--planners", planners)
     if unknown := [name for name in wanted if name not in PLANNERS]:
         raise ValueError(f"--planners: {unknown[0]!r} is none of {', '.join(PLANNERS)}")
     variants = list({"tables": TABLE_I + TABLE_II, "1": TABLE_I, "2": TABLE_II, "none": ()}[rows])

@@ -12,7 +12,7 @@ from .app import make_group
 from .campaign_figures import curve, sweep
 from .gap_figures import front, gap
 from .global_paths import GlobalPaths
-from .inputs import names, numbers, open_config, open_world
+from .inputs import numbers, open_config, open_world, planner_names, telling_old_names
 from .naming import naming
 from .options import Config, PictureFile, Planner, PriorityMap, ScenarioIndex, WorldArgument
 from .output import console, write_figure
@@ -143,7 +143,9 @@ def summary(
     from ltp.sim import fly
 
     place, base = open_world(world), open_config(config)
-    wanted = [_with_planner(base, name, "--planners") for name in names(planners)]
+    wanted = [
+        _with_planner(base, name, "--planners") for name in planner_names("--planners", planners)
+    ]
     path = global_paths.one(place, scenario)
     records, sensed = [], SensedTrace()
     for settings in wanted:
@@ -153,5 +155,5 @@ def summary(
 
 
 def _with_planner(config: "MissionConfig", planner: str, option: str) -> "MissionConfig":
-    with naming(planner=option):
+    with naming(planner=option), telling_old_names(option):
         return dataclasses.replace(config, planner=planner)

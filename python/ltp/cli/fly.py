@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from .global_paths import GlobalPaths
-from .inputs import open_config, open_world
+from .inputs import open_config, open_world, telling_old_names
 from .naming import naming
 from .options import Config, ScenarioIndex, WorldArgument
-from .output import say, tell, tell_recording
+from .output import note, say, tell, tell_recording
 from .recorded_flight import draw_summary, fly_recorded
 from .spread import spread
 from .waypoints import read_waypoints
@@ -48,10 +48,13 @@ def fly(
         Path | None,
         typer.Option(
             "--waypoints",
-            "--way-points",  # its name in version 0.1
             help="CSV to take the global path from: a waypoint x,y,z a line, the start first, "
             "world frame [m].",
         ),
+    ] = None,
+    old_waypoints: Annotated[
+        Path | None,
+        typer.Option("--way-points", hidden=True, help="Old name of --waypoints."),
     ] = None,
     scenario: ScenarioIndex = 0,
     global_paths: GlobalPaths,
@@ -74,12 +77,18 @@ def fly(
     _set_given(settings, planner=planner, priority_map=priority_map)
     _set_given(of_planner, refine=refine)
     _set_given(of_planner.weights, length=length_weight, priority=priority_weight)
-    with naming(
-        "planner",
-        "priority_map",
-        **{"weights.length": "--length-weight", "weights.priority": "--priority-weight"},
+    with (
+        telling_old_names("--planner"),
+        naming(
+            "planner",
+            "priority_map",
+            **{"weights.length": "--length-weight", "weights.priority": "--priority-weight"},
+        ),
     ):
         settings.check()
+    if old_waypoints:
+        note("--way-points is now --waypoints; the old name goes with the next release")
+        waypoints = waypoints or old_waypoints
     path = read_waypoints(waypoints) if waypoints else global_paths.one(place, scenario)
     out.mkdir(parents=True, exist_ok=True)
     record, sensed, recorded = fly_recorded(

@@ -11,7 +11,7 @@ import typer
 from .gap_queries import queries_file, recorded_queries
 from .gap_report import print_gaps
 from .global_paths import GlobalPaths
-from .inputs import names, numbers, open_config, open_world
+from .inputs import names, numbers, open_config, open_world, planner_name, planner_names
 from .naming import naming
 from .options import Config, Memory, PriorityMaps, ResumedFolder, WorldArgument
 from .output import console, resumable, tell, write_text
@@ -83,7 +83,7 @@ def gap(
 
     from .progress import GapProgress
 
-    chosen: dict[str, Any] = {"planners": names(planners)} if planners else {}
+    chosen: dict[str, Any] = {"planners": planner_names("--planners", planners)} if planners else {}
     with naming(
         *("planners", "maps", "bands", "expansions", "memory"),
         planner="--planners",
@@ -94,7 +94,7 @@ def gap(
             ratios=numbers("--ratios", ratios),
             maps=names(maps),
             bands=names(bands),
-            reference=optimum,
+            reference=planner_name("--reference-planner", optimum),
             expansions=expansions,
             memory=memory,
             **chosen,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from .gap_queries import queries_file
-from .inputs import names
+from .inputs import planner_names
 from .naming import naming
 from .options import Memory, PictureFile, PriorityMap, Ratio
 from .output import console, say, write_figure
@@ -52,7 +52,8 @@ def front(
     with naming("ratio", "memory", maps="--map", bands="--band", planner="--planners"):
         options = GapOptions(maps=[priority_map], bands=[band], ratios=[ratio], memory=memory)
         (case,) = options.cases()
-        contenders = [Contender(name) for name in names(planners) or (SHORTEST, *PLANNERS)]
+        chosen = planner_names("--planners", planners) or (SHORTEST, *PLANNERS)
+        contenders = [Contender(name) for name in chosen]
     with console().status("planning"), naming("query"):
         view = survey(queries, query, case, contenders, memory)
     if view.front is None:

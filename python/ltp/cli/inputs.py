@@ -4,6 +4,8 @@
 
 import os
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -37,12 +39,18 @@ def open_config(path: Path | None) -> "MissionConfig":
 
     if path is None:
         return MissionConfig()
+    with telling_old_names(path):
+        return MissionConfig.load(path)
+
+
+@contextmanager
+def telling_old_names(where: object) -> Iterator[None]:
+    """Tell on stderr of the old names that are used within, and `where` they stand."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", DeprecationWarning)
-        config = MissionConfig.load(path)
+        yield
     for warning in caught:
-        note(f"{path}: {warning.message}")
-    return config
+        note(f"{where}: {warning.message}")
 
 
 def read_flights(path: Path) -> "list[FlightRow]":
@@ -75,6 +83,23 @@ def numbers(name: str, text: str) -> list[float]:
 def names(text: str) -> list[str]:
     """The names in a text with commas between."""
     return [part.strip() for part in text.split(",") if part.strip()]
+
+
+def planner_name(option: str, name: str) -> str:
+    """A contender's name with its planner's old name, if it is one, become the new one."""
+    from ltp._core import planner_info
+
+    planner, plus, suffix = name.partition("+")
+    with telling_old_names(option):
+        try:
+            return planner_info(planner).name + plus + suffix
+        except ValueError:
+            return name  # `shortest`, or one that is refused where it is used
+
+
+def planner_names(option: str, text: str) -> list[str]:
+    """The same for the names in a text with commas between."""
+    return [planner_name(option, name) for name in names(text)]
 
 
 def workers(processes: int) -> int:

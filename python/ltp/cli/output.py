@@ -8,6 +8,8 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import typer
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from rich.console import Console
@@ -31,9 +33,7 @@ def say(text: str, style: str | None = None) -> None:
 
 def note(text: str) -> None:
     """Tell on stderr what is no part of the answer."""
-    from rich.console import Console
-
-    Console(stderr=True, highlight=False, soft_wrap=True).print(f"ltp: {text}", markup=False)
+    typer.echo(f"ltp: {text}", err=True)
 
 
 def remark(text: str) -> None:

@@ -25,7 +25,8 @@ def test_fly_takes_settings_from_a_file_and_waypoints_from_a_table(
     world: str, tmp_path: Path
 ) -> None:
     config, points = tmp_path / "config.toml", tmp_path / "points.csv"
-    settings = MissionConfig(planner="lp-a-star", length_weight=0.25)
+    settings = MissionConfig(planner="lp-a-star")
+    settings.planner_options.weights.length = 0.25
     settings.save(config)
     points.write_text("# x,y,z\n20,20,30\n20,60,30\n20,100.5,30\n")
     options = [
