@@ -115,3 +115,26 @@ def test_the_map_of_a_planner_can_be_asked_and_saved(held: Alone, tmp_path: Path
     assert mine.occupied == view.occupied
     mine.clear()
     assert mine.version == 2
+
+
+@pytest.mark.parametrize("name", ltp.PLANNERS)
+def test_a_uav_whose_plan_runs_out_of_budget_holds(name: str) -> None:
+    uav = ltp.LocalTrajectoryPlanner(
+        ltp.Raster(np.zeros((1, 1))),
+        START,
+        planner=name,
+        map_options=OPTIONS,
+        options=ltp.NavigationOptions(max_expansions=1),
+    )
+    uav.set_waypoints(GOAL)
+    uav.sense(START, NOTHING)
+    assert uav.update(START) == ltp.NavigationStatus.HOLDING
+    assert uav.plans[0].plan.status == ltp.PlanStatus.OUT_OF_BUDGET
+
+
+@pytest.mark.parametrize(
+    ("limit", "value"), [("max_expansions", -1), ("time_limit", -0.1), ("time_limit", np.inf)]
+)
+def test_a_wrong_limit_of_the_loop_is_named(limit: str, value: float) -> None:
+    with pytest.raises(ValueError, match=rf"^{limit} = "):
+        ltp.NavigationOptions(**{limit: value}).check()
