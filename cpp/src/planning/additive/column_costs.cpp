@@ -37,7 +37,7 @@ bool ColumnCosts::Aim::operator==(const Aim& other) const {
          anchor == other.anchor && goal == other.goal && size == other.size && last == other.last;
 }
 
-void ColumnCosts::aim(const Problem& problem, const AdditiveCost& cost, double longest) {
+void ColumnCosts::aim(const Problem& problem, const AdditiveCost& cost, double longest, int few) {
   const GridFrame& frame = problem.frame();
   const Cell& goal = problem.goal;
   Aim next;
@@ -54,12 +54,12 @@ void ColumnCosts::aim(const Problem& problem, const AdditiveCost& cost, double l
   shift_ = {frame.nx() - goal.x(), frame.ny() - goal.y()};
   frame_ = &frame;
   const bool stands = stamp_ > 0 && walls_ == nullptr && reach_.unbounded() && next == aim_;
-  const bool few = problem.levels.count() <= kFewLevels;
+  const bool walled = problem.levels.count() <= few;
   reach_ = Ellipse(problem.query, longest);
-  if (stands && !few && reach_.unbounded()) return;
+  if (stands && !walled && reach_.unbounded()) return;
   aim_ = next;
-  walls_ = few ? &problem.grid() : nullptr;
-  if (few) {
+  walls_ = walled ? &problem.grid() : nullptr;
+  if (walled) {
     const int words = problem.grid().words_per_column();
     open_levels_.resize(words);
     fill_between(open_levels_.data(), words, problem.levels.lowest, problem.levels.highest);

@@ -41,17 +41,20 @@ struct AdditiveCost {
 /// to the goal itself and costs exactly what it does. Priority depends on x and y alone, so no path
 /// in space costs less.
 ///
-/// Where the query leaves only a few levels open (`kFewLevels`), a column that is blocked in all of
-/// them is a wall to the field too; in planar flight it then is the cost to the goal itself. With
-/// more levels hardly any column is, so the field knows no obstacles, covers every window that
-/// holds the goal, and stands while goal, cost and priority do, wherever the window moves.
+/// Where the query leaves only a few levels open, a column that is blocked in all of them is a wall
+/// to the field too, and so is all beyond the window; in planar flight it then is the cost to the
+/// goal itself. With more levels hardly any column is blocked, so the field knows no obstacles,
+/// covers every window that holds the goal, and stands while goal, cost and priority do, wherever
+/// the window moves.
 class ColumnCosts {
  public:
   /// Aims at a problem's goal; goes on with what it has if nothing changed. The scene is read as
-  /// long as the field is asked. Costs must be positive.
+  /// long as the field is asked. No step may cost less than nothing, and a metre of `length` must
+  /// cost something.
   /// @param longest  columns that no path of this length [m] from start to goal can visit are walls
+  /// @param few      so many levels are a few
   void aim(const Problem& problem, const AdditiveCost& cost,
-           double longest = std::numeric_limits<double>::infinity());
+           double longest = std::numeric_limits<double>::infinity(), int few = kFewLevels);
 
   /// The least cost from the centre of a column of the window to the goal; infinite if there is no
   /// way.

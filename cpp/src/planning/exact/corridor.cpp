@@ -2,58 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/exact/corridor.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace ltp::planning {
+namespace {
 
-/// From the start's neighbours on, whose steps are exact; no step in space costs less than its
-/// shadow.
-void Corridor::spread_over_columns(const GridFrame& frame, const StepCosts& costs, double beta,
-                                   double most) {
-  const auto column = [&](int ix, int iy) {
-    return static_cast<std::uint32_t>(ix * frame.ny() + iy);
-  };
-  over_columns_.assign(static_cast<std::size_t>(frame.nx()) * frame.ny(),
-                       std::numeric_limits<double>::infinity());
-  open_.clear();
-  const auto offer = [&](int ix, int iy, double cost) {
-    double& mine = over_columns_[column(ix, iy)];
-    if (cost >= mine || cost > most) return;
-    mine = cost;
-    open_.push({cost, 0.0, column(ix, iy)});
-  };
-  for (int i = 0; i < kSteps; ++i) {
-    const Cell next = costs.start() + steps()[i].offset();
-    if (!frame.contains(next)) continue;
-    const StepCost cost = costs(costs.start(), i);
-    offer(next.x(), next.y(), beta * cost.length + cost.loss);
-  }
-  while (!open_.empty()) {
-    const OpenEntry entry = open_.pop();
-    if (entry.f > over_columns_[entry.cell]) continue;
-    const int ix = static_cast<int>(entry.cell) / frame.ny();
-    const int iy = static_cast<int>(entry.cell) % frame.ny();
-    const double here = costs.priority(ix, iy);
-    for (int i = 0; i < kSteps; ++i) {
-      const Step& step = steps()[i];
-      const int jx = ix + step.dx;
-      const int jy = iy + step.dy;
-      if (step.dz != 0 || !frame.contains(Cell(jx, jy, 0))) continue;
-      const StepCost cost = costs.between(costs.lengths()[i], here, costs.priority(jx, jy));
-      offer(jx, jy, entry.f + beta * cost.length + cost.loss);
-    }
-  }
-}
+constexpr double kAny = std::numeric_limits<double>::infinity();
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kLeast = 1e-100;  // the field's metre must cost something
+constexpr int kAllLevels = std::numeric_limits<int>::max();
+
+}  // namespace
 
 bool Corridor::find(const Problem& problem, const StepCosts& costs, double beta, double most,
                     BudgetWatch& budget, SearchStats& stats, std::vector<Cell>& cells) {
   const GridFrame& frame = problem.frame();
-  spread_over_columns(frame, costs, beta, most);
+  const Query& query = problem.query;
+  const Problem back(problem.scene, {query.goal, query.start, query.band}, problem.weights);
+  // beta L + R = (beta + p_max) L - P; p_max is the largest of this window alone.
+  to_start_.aim(back, {std::max(kLeast, beta + costs.max_priority()), 1.0}, kAny, kAllLevels);
+  // Its sums are not rounded as the graph's costs are.
+  const double columns = static_cast<double>(frame.nx()) * frame.ny();
+  const double limit = most + columns * ((beta + 2.0) * costs.unit() + kEpsilon * most);
   const auto heuristic = [&](const Cell& cell) {
     if (cell == problem.start) return 0.0;
     // The last step to the goal's own point may be shorter than the one to its column's centre.
     if (cell == problem.goal) return 0.0;
-    return over_columns_[static_cast<std::size_t>(cell.x()) * frame.ny() + cell.y()];
+    return to_start_(cell.x(), cell.y());
   };
   cells.clear();
   space_.begin(frame, problem.levels);
@@ -83,7 +59,7 @@ bool Corridor::find(const Problem& problem, const StepCosts& costs, double beta,
       const double total = node.cost + beta * cost.length + cost.loss;
       if (other.labelled && total >= other.cost) continue;
       const double h = heuristic(next);
-      if (total + h > most) continue;
+      if (total + h > limit) continue;
       other.labelled = true;
       other.cost = total;
       open_.push({total + h, h, next_index});

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "planning/additive/column_costs.hpp"
 #include "planning/exact/step_costs.hpp"
 #include "planning/search/open_list.hpp"
 #include "planning/search/search_space.hpp"
@@ -12,8 +13,7 @@
 namespace ltp::planning {
 
 /// Backward A* from the goal with the cost `beta` L + R, ended not at the start but where every
-/// cell left costs too much. Its heuristic is the exact cost over the columns from the start,
-/// obstacles ignored.
+/// cell left costs too much. Its heuristic is the cost over the columns from the start.
 class Corridor {
  public:
   /// Fills `cells` with all those of which a path from start to goal through them may cost `most`
@@ -28,12 +28,9 @@ class Corridor {
     bool labelled = false;
     bool closed = false;
   };
-  void spread_over_columns(const GridFrame& frame, const StepCosts& costs, double beta,
-                           double most);
-
   SearchSpace<Node> space_;
   OpenList open_;
-  std::vector<double> over_columns_;
+  ColumnCosts to_start_;
 };
 
 }  // namespace ltp::planning

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ltp::planning {
 
@@ -37,7 +38,9 @@ void StepCosts::reset(const Problem& problem, double longest) {
   }
   // Adding and taking off 1.5 * 2^k rounds to multiples of 2^(k - 52): sums below 2^k are exact.
   const double largest = longest * std::max(1.0, max_priority_ - least_priority);
-  magic_ = 1.5 * std::exp2(std::ilogb(std::max(largest, 1e-100)) + 2);
+  const double magnitude = std::exp2(std::ilogb(std::max(largest, 1e-100)) + 2);
+  magic_ = 1.5 * magnitude;
+  unit_ = magnitude * std::numeric_limits<double>::epsilon();
   for (double& length : lengths_) length = rounded(length);
   for (auto* ends : {&from_start_, &from_goal_}) {
     for (StepCost& cost : *ends) {

@@ -44,6 +44,8 @@ class StepCosts {
   const Cell& start() const { return start_cell_; }
   const Cell& goal() const { return goal_cell_; }
   double priority(int ix, int iy) const { return priority_(ix, iy); }
+  /// To a multiple of this all costs are rounded.
+  double unit() const { return unit_; }
   /// p_max, the largest mean priority of any step.
   double max_priority() const { return max_priority_; }
   const std::array<double, kSteps>& lengths() const { return lengths_; }
@@ -55,6 +57,7 @@ class StepCosts {
   Cell goal_cell_ = Cell::Zero();
   ColumnPriority priority_;
   double max_priority_ = 0.0;
+  double unit_ = 0.0;
   double magic_ = 0.0;
   std::array<double, kSteps> lengths_{};
   std::array<StepCost, kSteps> from_start_{};

@@ -27,6 +27,7 @@ struct Instance {
   Query query;
   AdditiveCost cost;
   double longest = kInfinity;
+  int few = ColumnCosts::kFewLevels;
 
   Scene scene() const { return {grid, priority}; }
   Problem problem() const { return Problem(scene(), query, {}); }
@@ -61,8 +62,8 @@ Instance random_instance(std::mt19937_64& random, const std::array<int, 3>& dims
   return made;
 }
 
-bool few_levels(const Problem& problem) {
-  return problem.levels.highest - problem.levels.lowest < ColumnCosts::kFewLevels;
+bool few_levels(const Instance& made, const Problem& problem) {
+  return problem.levels.highest - problem.levels.lowest < made.few;
 }
 
 /// Where no path leads: outside of all windows that hold the goal, off the ellipse, or blocked in
@@ -76,7 +77,7 @@ bool is_wall(const Instance& made, const Problem& problem, int ix, int iy) {
       (centre - made.query.start.head<2>()).norm() + (centre - made.query.goal.head<2>()).norm();
   const bool at_start = ix == problem.start.x() && iy == problem.start.y();
   if (!at_start && by_here > made.longest) return true;
-  if (!few_levels(problem)) return false;
+  if (!few_levels(made, problem)) return false;
   for (int iz = problem.levels.lowest; iz <= problem.levels.highest; ++iz) {
     if (frame.contains(Cell(ix, iy, iz)) && !made.grid.blocked(Cell(ix, iy, iz))) return false;
   }
@@ -146,7 +147,7 @@ std::vector<double> slow_field(const Instance& made) {
 }
 
 void aim(ColumnCosts& field, const Instance& made) {
-  field.aim(made.problem(), made.cost, made.longest);
+  field.aim(made.problem(), made.cost, made.longest, made.few);
 }
 
 /// Asks for every column of the window, in a random order.
@@ -175,14 +176,42 @@ TEST(ColumnCosts, IsTheTextbooksInEveryColumn) {
   for (int k = 0; k < 160; ++k) {
     Instance made = random_instance(random, kShapes[k % 4], k % 3 == 0 ? 0 : 40);
     if (k % 8 > 3) made.query.band = {};
+    if (k % 5 == 0) made.few = 100;
     ColumnCosts field;
     aim(field, made);
     const std::vector<double> expected = slow_field(made);
     expect_field(field, made, expected, random);
-    (few_levels(made.problem()) ? walled : open) += 1;
+    (few_levels(made, made.problem()) ? walled : open) += 1;
   }
   EXPECT_GT(open, 30);
   EXPECT_GT(walled, 80);
+}
+
+TEST(ColumnCosts, WalledInTakesNothingFromGroundBeyondTheWindow) {
+  // Where ground out there is worth more than a metre costs, there would be no end.
+  std::mt19937_64 random(6);
+  for (int k = 0; k < 40; ++k) {
+    Instance made = random_instance(random, kShapes[k % 4], 20);
+    const GridFrame& frame = made.grid.frame();
+    Raster::Values values = Raster::Values::Constant(3 * frame.nx(), 3 * frame.ny(), 1.0);
+    double best = 0.0;
+    for (int ix = 0; ix < frame.nx(); ++ix) {
+      for (int iy = 0; iy < frame.ny(); ++iy) {
+        double& value = values(frame.nx() + ix, frame.ny() + iy);
+        value = static_cast<double>(random() % 4) / 8.0;
+        best = std::max(best, value);
+      }
+    }
+    const Eigen::Vector2d extent(frame.nx() * frame.cell().x(), frame.ny() * frame.cell().y());
+    if (frame.cell().x() != frame.cell().y()) continue;
+    made.priority = Raster(values, frame.origin().head<2>() - extent, frame.cell().x());
+    made.query.band = {};
+    made.few = 100;
+    made.cost = {best, 1.0};  // a metre over the best ground costs nothing
+    ColumnCosts field;
+    aim(field, made);
+    expect_field(field, made, slow_field(made), random);
+  }
 }
 
 TEST(ColumnCosts, LeavesOutWhatNoPathOfItsLengthCanVisit) {

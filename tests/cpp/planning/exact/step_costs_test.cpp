@@ -77,6 +77,20 @@ TEST(StepCosts, AddUpAlikeInAnyOrder) {
   EXPECT_GT(different, 100);
 }
 
+TEST(StepCosts, AreMultiplesOfOneUnit) {
+  std::mt19937_64 random(4);
+  for (int k = 0; k < 30; ++k) {
+    const SmallGraph made(test::random_two_ends(random, k));
+    const double unit = made.costs.unit();
+    ASSERT_LT(unit, 1e-10);
+    all_steps(made.small.grid.frame(), [&](const Cell& from, int step, const Cell&) {
+      const StepCost cost = made.costs(from, step);
+      ASSERT_EQ(std::remainder(cost.length, unit), 0.0);
+      ASSERT_EQ(std::remainder(cost.loss, unit), 0.0);
+    });
+  }
+}
+
 TEST(StepCosts, AreNeverNegativeAndTheSameThereAndBack) {
   std::mt19937_64 random(3);
   int lossless = 0;
