@@ -59,7 +59,11 @@ void Flood::begin(const OccupancyGrid& grid) {
 
 void Flood::fill(const OccupancyGrid& grid, const Cell& from, const LevelRange& levels,
                  const std::optional<Cell>& until) {
-  spread_from(grid, from, levels, [&] { return until && (touched_edge_ || reached(*until)); });
+  if (until) {
+    spread_from(grid, from, levels, [&] { return touched_edge_ || reached(*until); });
+  } else {
+    spread_from(grid, from, levels, [] { return false; });
+  }
 }
 
 bool Flood::parts(const OccupancyGrid& grid, const Cell& inside, const Cell& outside,
