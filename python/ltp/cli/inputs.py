@@ -86,15 +86,11 @@ def names(text: str) -> list[str]:
 
 
 def planner_name(option: str, name: str) -> str:
-    """A contender's name with its planner's old name, if it is one, become the new one."""
-    from ltp._core import planner_info
+    """A contender's current name; an old one is told on stderr."""
+    from ltp.evaluation.contenders import current_name
 
-    planner, plus, suffix = name.partition("+")
     with telling_old_names(option):
-        try:
-            return planner_info(planner).name + plus + suffix
-        except ValueError:
-            return name  # `shortest`, or one that is refused where it is used
+        return current_name(name)
 
 
 def planner_names(option: str, text: str) -> list[str]:

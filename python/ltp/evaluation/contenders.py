@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`Contender`: who is compared, by one name: a planner, the same refined, or the shortest path."""
 
+import warnings
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ltp._core import Plan, Planner, penalty
+from ltp._core import Plan, Planner, penalty, planner_info
 from ltp.registry import INFO, PLANNERS, make_planner, planner_title
 
 from .conditions import Weights
@@ -75,6 +77,28 @@ def contender_title(name: str) -> str:
     """How tables and figures name a contender, also one of an older version, and the optimum."""
     title = _TITLES.get(name) or planner_title(name.removesuffix(REFINE))
     return title + (", refined" if is_refined(name) else "")
+
+
+def current_name(name: str) -> str:
+    """A contender's name with its planner's old name, if it is one, become the new one.
+
+    Warns of an old name; what is no planner's name stays as it is.
+    """
+    planner, plus, suffix = name.partition("+")
+    try:
+        return planner_info(planner).name + plus + suffix
+    except ValueError:
+        return name
+
+
+def with_current_name(values: Mapping[str, Any]) -> Mapping[str, Any]:
+    """A row of a table, of which nobody need be told that an older version wrote it."""
+    name = values.get("planner")
+    if not isinstance(name, str):
+        return values
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)
+        return {**values, "planner": current_name(name)}
 
 
 def is_refined(name: str) -> bool:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ..contenders import with_current_name
 from ..row_table import RowTable
 from .variants import Variant
 
@@ -73,9 +74,8 @@ class FlightRow:
         return Variant(self.planner, *weights, self.priority_map, self.refine)
 
 
-#: Columns and planners by the names that older versions wrote.
+#: Columns by the names that older versions wrote.
 _RENAMED = {"way_points": "waypoints"}
-_OLD_PLANNERS = {"pareto": "exact", "bug": "tangent-bug"}
 
 
 class _FlightTable(RowTable[FlightRow]):
@@ -83,9 +83,7 @@ class _FlightTable(RowTable[FlightRow]):
 
     def from_mapping(self, values: Mapping[str, Any]) -> FlightRow:
         named = {_RENAMED.get(name, name): value for name, value in values.items()}
-        if (planner := named.get("planner")) in _OLD_PLANNERS:
-            named["planner"] = _OLD_PLANNERS[planner]
-        return super().from_mapping(named)
+        return super().from_mapping(with_current_name(named))
 
     def read(self, path: str | os.PathLike[str]) -> list[FlightRow]:
         with Path(path).open("rb") as file:

@@ -3,10 +3,11 @@
 """`GapRow`: one plan for one query as one row of a CSV, held against the query's optimum."""
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
-from ..contenders import OPTIMUM, on_grid
+from ..contenders import OPTIMUM, on_grid, with_current_name
 from ..row_table import RowTable
 from .cases import Case
 
@@ -49,7 +50,14 @@ class GapRow:
         return known and self.optimum - self.optimum_bound <= PROVED  # type: ignore[operator]
 
 
-PLANS = RowTable(GapRow, "a table of gaps")
+class _GapTable(RowTable[GapRow]):
+    """Also reads what older versions wrote."""
+
+    def from_mapping(self, values: Mapping[str, Any]) -> GapRow:
+        return super().from_mapping(with_current_name(values))
+
+
+PLANS = _GapTable(GapRow, "a table of gaps")
 read_gaps = PLANS.read
 
 

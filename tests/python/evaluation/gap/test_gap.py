@@ -4,6 +4,7 @@
 
 import dataclasses
 import math
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,7 @@ from ltp.evaluation import digests
 from ltp.evaluation.contenders import OPTIMUM
 from ltp.evaluation.gap import TABLE, Case, GapOptions, GapRow, QuerySet, read_gaps, run_gap
 from ltp.evaluation.gap.overview import markdown_overview
-from ltp.evaluation.gap.rows import with_optimum
+from ltp.evaluation.gap.rows import PLANS, with_optimum
 from ltp.evaluation.gap.tables import markdown_gaps, number, share, summarise_gaps, unproved_note
 from tests.python.scenes import patchwork
 
@@ -87,6 +88,15 @@ def test_statistics_by_hand() -> None:
     assert found[OPTIMUM].gain == pytest.approx(0.25)
     assert found["lp-dijkstra"].bounded == 0.0 and math.isnan(found["lp-dijkstra"].valid)
     assert (additive.time_median, additive.time_p95) == (2.5, pytest.approx(3.85))
+
+
+def test_tables_of_older_versions_are_read(tmp_path: Path) -> None:
+    written = [made_up(name, 0, 0.5) for name in ("pareto", "bug+refine", "sweep", "incremental")]
+    PLANS.write(tmp_path / TABLE, written)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        names = [row.planner for row in read_gaps(tmp_path / TABLE)]
+    assert names == ["exact", "tangent-bug+refine", "sweep", "incremental"]
 
 
 def test_numbers_are_told_plainly() -> None:
