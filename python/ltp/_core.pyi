@@ -1637,7 +1637,7 @@ class LocalTrajectoryPlanner:
     """
     def __init__(self, priority: Raster, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], *, planner: str = 'auto', planner_options: PlannerOptions = ..., map_options: ObstacleMapOptions = ..., options: NavigationOptions = ...) -> None:
         """
-        priority: Raster in [0, 1]. position: (3,) [m]. planner: a name of `planner_names()`.
+        priority: Raster in [0, 1]. position: (3,) [m]. planner: one of `ltp.PLANNERS`.
         """
     def clear_map(self) -> None:
         """

@@ -173,7 +173,7 @@ void bind_local(py::module_& m) {
       .def(py::init(&make<Ltp>), "priority"_a, "position"_a, py::kw_only(), "planner"_a = "auto",
            "planner_options"_a = ltp::PlannerOptions{}, "map_options"_a = ltp::ObstacleMapOptions{},
            "options"_a = ltp::NavigationOptions{},
-           "priority: Raster in [0, 1]. position: (3,) [m]. planner: a name of `planner_names()`.")
+           "priority: Raster in [0, 1]. position: (3,) [m]. planner: one of `ltp.PLANNERS`.")
       .def("set_waypoints", &Ltp::set_waypoints, "waypoints"_a,
            "Replaces what is left of the global path; (N, 3), world [m].")
       .def("set_priority", &Ltp::set_priority, "priority"_a)
