@@ -23,7 +23,7 @@ inline double cpu_seconds() {
 }
 
 /// Answers all queries in each iteration. Counters: the median query and the worst, each at its
-/// best; cells settled a query, and the time of each.
+/// best; cells settled a query, and the time of each if there were any.
 /// @param answer  (const Query&) -> how many cells it settled
 template <typename Answer>
 void each_query(benchmark::State& state, const std::vector<Query>& queries, Answer&& answer) {
@@ -44,7 +44,7 @@ void each_query(benchmark::State& state, const std::vector<Query>& queries, Answ
   state.counters["worst_query"] = best.back();
   state.counters["settled"] =
       settled / static_cast<double>(state.iterations()) / static_cast<double>(queries.size());
-  state.counters["a_cell"] = spent / settled;
+  if (settled > 0.0) state.counters["a_cell"] = spent / settled;
 }
 
 }  // namespace ltp::bench
