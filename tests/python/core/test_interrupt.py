@@ -7,6 +7,8 @@ import subprocess
 import sys
 import threading
 import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 import numpy as np
 import pytest
@@ -94,17 +96,32 @@ def test_other_threads_run_while_a_planner_searches() -> None:
     assert any(begin + 0.25 * (end - begin) < t < end - 0.25 * (end - begin) for t in within)
 
 
+class AlarmError(Exception):
+    """What the handler of an alarm raises."""
+
+
+def raise_alarm(number: int, frame: object) -> None:
+    raise AlarmError
+
+
+@contextmanager
+def alarm(handler: Callable[[int, object], None], first: float, again: float = 0.0) -> Iterator:
+    """Call `handler` after `first` seconds, and every `again` seconds from then on."""
+    old = signal.signal(signal.SIGALRM, handler)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, first, again)
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, old)
+
+
 def test_a_handler_that_does_not_raise_does_not_stop_the_search() -> None:
     scene, query = big_scene()
     planner = ltp.make_planner("lp-dijkstra")
     calls: list[int] = []
-    old = signal.signal(signal.SIGALRM, lambda number, _: calls.append(number))
-    try:
-        signal.setitimer(signal.ITIMER_REAL, 0.01, 0.01)
+    with alarm(lambda number, _: calls.append(number), 0.01, 0.01):
         plan = planner.plan(scene, query)
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, old)
     assert plan.status == ltp.PlanStatus.UNREACHABLE
     assert len(calls) >= 2
 
@@ -113,22 +130,9 @@ def test_what_a_handler_raises_is_raised() -> None:
     scene, query = big_scene()
     planner = ltp.make_planner("lp-dijkstra")
     expected = planner.plan(scene, query)
-
-    class AlarmError(Exception):
-        pass
-
-    def ring(number: int, frame: object) -> None:
-        raise AlarmError
-
-    old = signal.signal(signal.SIGALRM, ring)
-    try:
-        signal.setitimer(signal.ITIMER_REAL, 0.02)
-        with pytest.raises(AlarmError):
-            for _ in range(1000):
-                planner.plan(scene, query)
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, old)
+    with alarm(raise_alarm, 0.02), pytest.raises(AlarmError):
+        for _ in range(1000):
+            planner.plan(scene, query)
     # The planner is as good as new.
     again = planner.plan(scene, query)
     assert (again.status, again.stats.expanded) == (expected.status, expected.stats.expanded)
@@ -139,22 +143,9 @@ def test_a_plan_in_another_thread_is_not_disturbed_by_signals() -> None:
     planner = ltp.make_planner("lp-dijkstra")
     plans: list[ltp.Plan] = []
     thread = threading.Thread(target=lambda: plans.append(planner.plan(scene, query)))
-
-    class AlarmError(Exception):
-        pass
-
-    def ring(number: int, frame: object) -> None:
-        raise AlarmError
-
-    old = signal.signal(signal.SIGALRM, ring)
-    try:
-        signal.setitimer(signal.ITIMER_REAL, 0.02)
-        thread.start()
-        with pytest.raises(AlarmError):
-            while True:  # signals belong to the main thread
-                time.sleep(0.001)
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, old)
-        thread.join()
+    thread.start()  # before the alarm is set: under load it might ring first
+    with alarm(raise_alarm, 0.02), pytest.raises(AlarmError):
+        while True:  # signals belong to the main thread
+            time.sleep(0.001)
+    thread.join()
     assert plans[0].status == ltp.PlanStatus.UNREACHABLE
