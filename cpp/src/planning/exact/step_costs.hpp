@@ -41,8 +41,6 @@ class StepCosts {
     return {length, rounded(length * (max_priority_ - 0.5 * (priority_a + priority_b)))};
   }
 
-  const Cell& start() const { return start_cell_; }
-  const Cell& goal() const { return goal_cell_; }
   double priority(int ix, int iy) const { return priority_(ix, iy); }
   /// To a multiple of this all costs are rounded.
   double unit() const { return unit_; }
