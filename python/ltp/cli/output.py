@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
+    from ltp.world import World
+
 GREY = "bright_black"
 
 
@@ -44,6 +46,12 @@ def remark(text: str) -> None:
 def tell(what: str, path: Path) -> None:
     """Say where a file was written."""
     console().print(f"{what:<12} {path}", markup=False, soft_wrap=True)
+
+
+def tell_report(world: "World") -> None:
+    """Print what the import of a world read, guessed and dropped, a line each."""
+    for finding in world.report:
+        console().print(f"  {finding}", markup=False, soft_wrap=True)
 
 
 def tell_recording(path: Path) -> None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from .output import say, tell
+from .output import say, tell, tell_report
 
 if TYPE_CHECKING:
     from ltp.world import World
@@ -17,7 +17,7 @@ Cell = Annotated[float, typer.Option(help="Cell size [m].")]
 
 
 def save_world(world: "World", out: Path) -> None:
-    """Write a world, its folder too, and say what it is and where."""
+    """Write a world, its folder too, and say what it is, what its import found, and where."""
     out.parent.mkdir(parents=True, exist_ok=True)
     world.save(out)
     x_min, y_min, x_max, y_max = world.extent
@@ -26,4 +26,5 @@ def save_world(world: "World", out: Path) -> None:
         f"{world.ground.min():.1f} ... {world.ground.max():.1f} m, top at "
         f"{world.surface.max():.1f} m",
     )
+    tell_report(world)
     tell("world", out)

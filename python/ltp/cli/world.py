@@ -12,7 +12,7 @@ from .app import make_group
 from .inputs import open_world
 from .naming import naming
 from .options import PictureFile, WorldArgument
-from .output import tell
+from .output import tell, tell_report
 from .saved_world import Cell, WorldFile, save_world
 
 
@@ -42,6 +42,7 @@ def show(
     out.parent.mkdir(parents=True, exist_ok=True)
     with naming("altitude"):
         world_picture(place, out, altitude)
+    tell_report(place)
     tell("picture", out)
 
 

@@ -67,7 +67,7 @@ def write_fields(fields: Mapping[str, Any], path: str | os.PathLike[str]) -> Non
 
     Raises:
         OSError: if the file cannot be written; whatever stood under `path` is then untouched.
-        ValueError: if name and attribution are too long.
+        ValueError: if name, attribution and report are too long.
     """
     metadata = {
         "format": FORMAT,
@@ -78,9 +78,11 @@ def write_fields(fields: Mapping[str, Any], path: str | os.PathLike[str]) -> Non
         "datum": {name: fields["datum"][name] for name in _DATUM},
         "attribution": fields["attribution"],
     }
+    if fields["report"]:  # without one the file can be read by ltp 0.2.0, too
+        metadata["report"] = list(fields["report"])
     text = json.dumps(metadata, indent=1).encode()
     if len(text) > _MAX_METADATA:
-        raise ValueError(f"name and attribution must fit in {_MAX_METADATA} bytes of JSON")
+        raise ValueError(f"name, attribution and report must fit in {_MAX_METADATA} bytes of JSON")
     arrays: dict[str, NDArray[Any]] = {_METADATA: np.frombuffer(text, dtype=np.uint8)}
     arrays |= {name: fields[name].astype(dtype) for name, dtype in _ARRAYS.items()}
     with atomic_write(path) as file, zipfile.ZipFile(file, "w") as archive:
@@ -210,7 +212,7 @@ def _parse(text: bytes) -> dict[str, Any]:
     if (version := metadata.pop("version", None)) != VERSION:
         raise ValueError(f"metadata: expected version {VERSION}, found {version!r}")
     expected = {"name", "cell", "origin", "datum", "attribution"}
-    if metadata.keys() != expected:
+    if metadata.keys() - {"report"} != expected:
         raise ValueError(f"metadata: expected keys {sorted(expected)}, found {sorted(metadata)}")
     datum = metadata["datum"]
     if not isinstance(datum, dict) or datum.keys() != set(_DATUM):

@@ -3,6 +3,7 @@
 """Checks of the arguments of a world: each returns the sound value or raises naming the culprit."""
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,15 @@ def text(name: str, value: object) -> None:
     """Demand a string."""
     if not isinstance(value, str):
         raise ValueError(f"{name} must be a string, not {value!r}")
+
+
+def sentences(name: str, values: object) -> tuple[str, ...]:
+    """Return `values` as a tuple; demand a sequence of strings."""
+    if isinstance(values, str) or not isinstance(values, Sequence):
+        raise ValueError(f"{name} must be a sequence of strings, not {values!r}")
+    for index, value in enumerate(values):
+        text(f"{name}[{index}]", value)
+    return tuple(values)
 
 
 def finite(name: str, value: object) -> float:

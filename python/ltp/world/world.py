@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .archive import blamed_on, read_fields, write_fields
-from .checks import corner, finite, heights, land_classes, positive, text
+from .checks import corner, finite, heights, land_classes, positive, sentences, text
 
 if TYPE_CHECKING:
     from ltp._core import Raster
@@ -58,6 +58,7 @@ class World:
     origin: tuple[float, float] = (0.0, 0.0)  # x, y of the outer corner of cell (0, 0) [m]
     datum: Datum = Datum()
     attribution: str = ""  # line that must stand beside every picture
+    report: tuple[str, ...] = ()  # what its import read, guessed and dropped: a sentence each
 
     def __post_init__(self) -> None:
         text("name", self.name)
@@ -84,6 +85,7 @@ class World:
             ("classes", classes),
             ("cell", positive("cell", self.cell)),
             ("origin", corner(self.origin)),
+            ("report", sentences("report", self.report)),
         ):
             object.__setattr__(self, field, value)
 

@@ -34,6 +34,7 @@ def small_world(**changes: Any) -> World:
         "origin": (10.0, -4.0),
         "datum": Datum("EPSG:27700", 531999.0, 181359.0, "ODN"),
         "attribution": "nobody, CC0",
+        "report": ("3 houses read", "1 height guessed"),
     }
     return World(**{**arguments, **changes})
 
@@ -42,7 +43,7 @@ def assert_same(a: World, b: World) -> None:
     for name in ("ground", "surface", "classes"):
         np.testing.assert_array_equal(getattr(a, name), getattr(b, name))
         assert getattr(a, name).dtype == getattr(b, name).dtype
-    for name in ("name", "cell", "origin", "datum", "attribution"):
+    for name in ("name", "cell", "origin", "datum", "attribution", "report"):
         assert getattr(a, name) == getattr(b, name)
 
 
@@ -140,6 +141,8 @@ BAD = [
     ({"origin": (1.0, 2.0, 3.0)}, "origin must be two numbers"),
     ({"name": 7}, "name must be a string"),
     ({"attribution": None}, "attribution must be a string"),
+    ({"report": "all well"}, "report must be a sequence of strings"),
+    ({"report": ["read", 3]}, r"report\[1\] must be a string"),
     ({"datum": "EPSG:2154"}, "datum must be a Datum"),
 ]
 
