@@ -22,36 +22,41 @@ def write_tables(rows: Sequence["FlightRow"], folder: Path) -> None:
 
 def _print_tables(rows: Sequence["FlightRow"]) -> None:
     """Narrow tables for the terminal: under each row, in grey, the paper's."""
-    from ltp.evaluation.campaign.tables import brief_cells, summarise, table_variants
+    from ltp.evaluation.campaign.summary import summarise
+    from ltp.evaluation.campaign.tables import averaged_over, brief_cells, table_variants
 
     for title, variants in table_variants(rows).items():
-        titles, lines = brief_cells([summarise(variant, rows) for variant in variants])
+        summaries = summarise(variants, rows)
+        titles, lines = brief_cells(summaries)
         grid = narrow_table(title, titles)
         for ours, paper in lines:
             grid.add_row(*[f"[bold green]{cell}[/]" if best else cell for cell, best in ours])
             if paper is not None:
                 grid.add_row(*paper, style=GREY)
         console().print(grid)
+        remark(averaged_over(summaries))
     remark(
         "P mean priority, L length flown over global path's (SD); time per plan; dropped "
-        "waypoints (wrongly);\nclear: smallest clearance [m]; grey: the paper",
+        "waypoints (wrongly: by\nthe map's cells of the true world, by its cells of 0.5 m); clear: "
+        "smallest clearance [m]; grey: the paper",
     )
 
 
 def markdown_tables(rows: Sequence["FlightRow"]) -> str:
     """All tables of a campaign, in one document."""
-    from ltp.evaluation.campaign.tables import markdown_table, summarise, table_variants
+    from ltp.evaluation.campaign.summary import summarise
+    from ltp.evaluation.campaign.tables import markdown_table, table_variants
 
     parts = [f"# {rows[0].world}\n"]
     for title, variants in table_variants(rows).items():
-        summaries = [summarise(variant, rows) for variant in variants]
-        parts.append(f"## {title}\n\n{markdown_table(summaries)}")
+        parts.append(f"## {title}\n\n{markdown_table(summarise(variants, rows))}")
     return "\n".join(parts)
 
 
 def csv_tables(rows: Sequence["FlightRow"]) -> str:
     """All rows of the tables, one a line."""
-    from ltp.evaluation.campaign.tables import csv_table, summarise, table_variants
+    from ltp.evaluation.campaign.summary import summarise
+    from ltp.evaluation.campaign.tables import csv_table, table_variants
 
-    variants = [variant for group in table_variants(rows).values() for variant in group]
-    return csv_table([summarise(variant, rows) for variant in variants])
+    tables = table_variants(rows).values()
+    return csv_table([line for variants in tables for line in summarise(variants, rows)])

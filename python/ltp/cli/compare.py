@@ -14,6 +14,7 @@ from .output import say, tell, write_text
 
 if TYPE_CHECKING:
     from ltp.evaluation.campaign.compare import Comparison
+    from ltp.evaluation.campaign.rows import FlightRow
 
 
 def register(app: typer.Typer) -> None:
@@ -27,9 +28,10 @@ def compare(
         str,
         typer.Option(
             help="Planners to compare, with commas between: the baseline, then one or more to hold "
-            "against it; `NAME+refine` is one with its paths refined."
+            "against it; `NAME+refine` is one with its paths refined. By default all that were "
+            "flown, the baseline being LP-Dijkstra, or else the first."
         ),
-    ] = "lp-dijkstra,sweep",
+    ] = "",
     ratio: Ratio = 2.0,
     maps: Annotated[
         str,
@@ -44,16 +46,26 @@ def compare(
     Prints the mean difference (second less first) of the flown Eq. 5, of the length ratio and of
     the mean priority with 95 % confidence intervals (BCa bootstrap, 10,000 seeded resamples).
     """
-    from ltp.evaluation.campaign.compare import compare_all, flown_maps, markdown_comparisons
+    from ltp.evaluation.campaign.compare import (
+        compare_all,
+        flown_maps,
+        flown_planners,
+        markdown_comparisons,
+    )
 
     rows, wanted = read_flights(flights), planner_names("--planners", planners)
-    if len(wanted) < 2:
-        raise ValueError(f"--planners must name two planners or more, not {planners!r}")
     with naming(ratio="--ratio"):
+        if not wanted:
+            wanted = flown_planners(rows, ratio, names(maps))
+            if len(wanted) < 2:
+                raise ValueError(_nothing_to_compare(flights, rows, ratio))
+        elif len(wanted) < 2:
+            raise ValueError(f"--planners must name two planners or more, not {planners!r}")
         kinds = names(maps) or flown_maps(rows, wanted, ratio)
     if not kinds:
         raise ValueError(
-            f"{flights} holds no map flown by all of --planners {planners} at --ratio {ratio:g}"
+            f"{flights} holds no map flown by all of --planners {','.join(wanted)} at --ratio "
+            f"{ratio:g}"
         )
     found = compare_all(rows, wanted, ratio, kinds)
     for comparison in found:
@@ -61,6 +73,15 @@ def compare(
     if out is not None:
         write_text(markdown_comparisons(found), out)
         tell("table", out)
+
+
+def _nothing_to_compare(flights: Path, rows: "list[FlightRow]", ratio: float) -> str:
+    flown = sorted({row.variant.ratio for row in rows})
+    return (
+        f"{flights} holds no two planners over one map at --ratio {ratio:g}; its flights have "
+        f"ratios {', '.join(f'{value:g}' for value in flown)}. To fly two: ltp evaluate WORLD "
+        f"--rows none --planners lp-dijkstra,sweep --ratios {ratio:g} --out FOLDER"
+    )
 
 
 def _tell(comparison: "Comparison") -> None:

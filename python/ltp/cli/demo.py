@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from .inputs import open_world, workers
+from .inputs import open_world, read_flights, workers
 from .naming import naming
 from .options import Processes
 from .output import console, say, tell, tell_recording
@@ -52,7 +52,7 @@ def demo(
         "the paper's planners, sweep and auto"
     )
     campaign = Campaign(world, variants, scenarios, base)
-    rows = run_campaign(
+    run_campaign(
         campaign,
         out,
         processes=workers(processes),
@@ -73,7 +73,7 @@ def demo(
         flight.variant: flight.key for flight in campaign.flights() if flight.scenario.index == 0
     }
     kept = [FlightRecord.load(record_path(out / RECORDS, keys[v])) for v in drawn.values()]
-    write_tables(rows, out)
+    write_tables(read_flights(out), out)
     draw_summary(world, [record, *kept], sensed, out / "demo.png")
     tell("flights", out / TABLE)
     tell("figure", out / "demo.png")

@@ -9,7 +9,7 @@ import typer
 
 from .campaign_tables import write_tables
 from .global_paths import GlobalPaths
-from .inputs import names, numbers, open_config, open_world, planner_names, workers
+from .inputs import names, numbers, open_config, open_world, planner_names, read_flights, workers
 from .naming import naming
 from .options import Config, PriorityMaps, Processes, ResumedFolder, WorldArgument
 from .output import console, resumable, say, tell
@@ -65,7 +65,8 @@ def evaluate(
     """Fly planners, weights and maps over many paths; print tables.
 
     A campaign that was stopped in any way goes on where it was when the same command is given
-    again. The same command gives the same flights.csv, but for the columns time_*.
+    again. The same command gives the same flights.csv, but for the columns time_*. Another command
+    with the same world, settings and paths adds its rows to the folder's; any other is refused.
     """
     from ltp.evaluation.campaign import TABLE, Campaign, run_campaign
 
@@ -81,14 +82,14 @@ def evaluate(
         f"{global_paths.reference}, {crossing} through buildings; {len(variants)} variants"
     )
     with resumable(out, "flown"):
-        flown = run_campaign(
+        run_campaign(
             Campaign(place, variants, scenarios, base),
             out,
             processes=workers(processes),
             keep_records=records,
             observers=[CampaignProgress(console())],
         )
-    write_tables(flown, out)
+    write_tables(read_flights(out), out)
     tell("flights", out / TABLE)
 
 

@@ -62,7 +62,17 @@ def test_a_sweep_of_chosen_planners_is_compared_and_drawn(world: str, tmp_path: 
     assert "| GGWP – LP-A* | lpf | 3/3 |" in (tmp_path / "compare.md").read_text()
     succeed("figure", "curve", out, world, "--out", tmp_path / "curve.png")
     assert (tmp_path / "curve.png").stat().st_size > 20_000
+    assert "GGWP less LP-A*, lpf map" in succeed("compare", out)  # by default all that were flown
+    assert "To fly two: ltp evaluate WORLD" in fail("compare", out, "--ratio", "5")
     assert "no map flown by all" in fail("compare", out, "--planners", "lp-a-star,bezier")
+    # Another command adds its rows; one with other settings is refused.
+    succeed(*command[:-4], "--planners", "bezier", "--ratios", "2", "--maps", "lpf")
+    assert read_rows(out / "flights.csv")[: len(rows)] == rows
+    faster = tmp_path / "faster.toml"
+    faster.write_text("[vehicle]\nspeed = 4.0\n")
+    assert "other settings (vehicle.speed): give another folder" in fail(
+        *command, "--config", faster
+    )
     assert "was flown over town" in fail("figure", "curve", out, "city", "-o", tmp_path / "n.png")
 
 

@@ -3,10 +3,11 @@
 """A campaign: every variant over every scenario of one world, in parallel, resumable, repeatable.
 
 The folder of a campaign holds `journal.jsonl`, one line a finished flight in the order in which
-they finished; `flights.csv`, the same rows in a fixed order, written at the end; and, if wanted,
-`records/`, one `FlightRecord` a flight. The same campaign gives the same bytes of `flights.csv` on
-any number of processes, but for the columns that begin with `time_`. Another build of the program
-flies anew: see `digests`.
+they finished; `flights.csv`, the same rows in a fixed order, written at the end; `campaign.json`,
+what they were flown for; and, if wanted, `records/`, one `FlightRecord` a flight. The same campaign
+gives the same bytes of `flights.csv` on any number of processes, but for the columns that begin
+with `time_`. Another campaign of the same world, settings and global paths adds its rows; any other
+is refused: see `folder`. Another build of the program flies anew: see `digests`.
 """
 
 import contextlib
@@ -23,6 +24,7 @@ from ..digests import world_digest
 from ..journal import RowJournal
 from ..scenarios import Scenario
 from .flights import Flight, flight_key, mission_config, record_path
+from .folder import open_folder
 from .rows import FLIGHTS, FlightRow, write_rows
 from .variants import Variant, unique
 from .workers import Crew, ProcessCrew, SoloCrew
@@ -85,12 +87,13 @@ def run_campaign(
     observers: Iterable[CampaignObserver] = (),
     crew: Crew | None = None,
 ) -> list[FlightRow]:
-    """Fly what is not in the folder's journal yet; return and write all rows in a fixed order.
+    """Fly what is not in the folder's journal yet; return the campaign's rows in a fixed order.
+
+    The folder's table holds them too, beside those of earlier campaigns in this folder.
 
     Args:
         campaign: what to fly.
-        folder: of this campaign; made if it is not there. A journal in it is gone on with, also if
-            it holds other flights: of more variants, of another world.
+        folder: of this campaign; made if it is not there. What was flown in it is gone on with.
         processes: to fly in; 1 flies in this one.
         keep_records: also keep each flight's record. A flight that has a row but no record is flown
             again for it; its row stays as it is.
@@ -100,7 +103,8 @@ def run_campaign(
     Raises:
         KeyboardInterrupt: after Ctrl-C, when all that was flown is in the journal and in the CSV.
         RuntimeError: if another campaign writes in this folder, or a process was killed.
-        ValueError: if `processes` is below 1 or the journal is damaged.
+        ValueError: if `processes` is below 1, the journal is damaged, or the folder holds flights
+            of another world, of other settings or along other global paths.
     """
     if processes < 1:
         raise ValueError(f"processes must be >= 1, not {processes!r}")
@@ -112,6 +116,7 @@ def run_campaign(
     observers = list(observers)
     flights = campaign.flights()
     with FlightJournal(folder / JOURNAL) as journal:
+        held = open_folder(folder, TABLE, campaign.world, campaign.base, flights)
         # Scenario by scenario: slow and fast planners take turns, which steadies the time left.
         waiting = [flight for flight in flights if not _kept(flight, journal, records)]
         waiting.sort(key=lambda flight: flight.scenario.index)
@@ -126,11 +131,12 @@ def run_campaign(
                     for observer in observers:
                         observer.on_flight(row)
         finally:
-            rows = [journal.rows[flight.key] for flight in flights if flight.key in journal.rows]
-            write_rows(folder / TABLE, rows)
+            write_rows(
+                folder / TABLE, [journal.rows[key] for key in held.flights if key in journal.rows]
+            )
             for observer in observers:
                 observer.on_end()
-    return rows
+    return [journal.rows[flight.key] for flight in flights]
 
 
 def _kept(flight: Flight, journal: FlightJournal, records: Path | None) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from ..conditions import PRIORITY_MAPS
+from ..contenders import BASELINE
 from .bootstrap import Interval, mean_interval
 from .rows import FlightRow
 from .variants import Variant, at_ratio
@@ -66,7 +67,7 @@ def pick(rows: Iterable[FlightRow], name: str, ratio: float, priority_map: str) 
         raise ValueError(f"no flights of {name} at W_P/W_L = {ratio:g} over the {priority_map} map")
     if len({row.world for row in mine}) > 1:
         raise ValueError(f"flights of {name} over several worlds")
-    return FlownVariant(wanted, {(row.seed, row.scenario): row for row in mine})
+    return FlownVariant(wanted, {row.path: row for row in mine})
 
 
 def compare(baseline: FlownVariant, challenger: FlownVariant) -> Comparison:
@@ -77,7 +78,7 @@ def compare(baseline: FlownVariant, challenger: FlownVariant) -> Comparison:
     """
     common = sorted(baseline.flights.keys() & challenger.flights.keys())
     pairs = [(baseline.flights[key], challenger.flights[key]) for key in common]
-    ended = [pair for pair in pairs if all(row.outcome == "reached" for row in pair)]
+    ended = [pair for pair in pairs if all(row.completed for row in pair)]
     if not ended:
         raise ValueError(f"{baseline.name} and {challenger.name} flew no scenario both to its end")
     differences = {
@@ -121,6 +122,26 @@ def flown_maps(rows: Iterable[FlightRow], planners: Sequence[str], ratio: float)
         for kind in PRIORITY_MAPS
         if all(at_ratio(ratio, planner, kind) in flown for planner in planners)
     ]
+
+
+def flown_planners(
+    rows: Iterable[FlightRow], ratio: float, priority_maps: Sequence[str] = ()
+) -> list[str]:
+    """The contenders flown at this ratio over the first map that has two of them: LP-Dijkstra
+    first, if it is one of them.
+
+    Args:
+        rows: of a campaign.
+        ratio: W_P / W_L.
+        priority_maps: to look at; none named: all.
+    """
+    flown = list(dict.fromkeys(row.variant for row in rows))
+    for kind in priority_maps or PRIORITY_MAPS:
+        names = [variant.contender.name for variant in flown if variant.priority_map == kind]
+        found = [name for name in dict.fromkeys(names) if at_ratio(ratio, name, kind) in flown]
+        if len(found) > 1:
+            return sorted(found, key=lambda name: name != BASELINE)
+    return []
 
 
 def cells(comparison: Comparison) -> list[str]:

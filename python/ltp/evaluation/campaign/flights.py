@@ -9,13 +9,12 @@ from pathlib import Path
 
 from ltp.config import MissionConfig
 from ltp.sim.mission import fly
-from ltp.sim.record import FlightRecord
 from ltp.world import World
 
 from ..digests import row_key
 from ..scenarios import Scenario
+from .drops import DropJudge
 from .metrics import flight_row
-from .reachability import TrueCells
 from .rows import FlightRow
 from .variants import Variant
 
@@ -63,7 +62,7 @@ def record_path(folder: Path, key: str) -> Path:
 
 
 class Pilot:
-    """Flies flights over one world; keeps what they share: the judge's cells.
+    """Flies flights over one world; keeps what they share: the judge of drops.
 
     Args:
         world: where.
@@ -75,7 +74,7 @@ class Pilot:
         self._world = world
         self._base = base
         self._records = records
-        self._cells: TrueCells | None = None
+        self._judge = DropJudge(world, base)
 
     def fly(self, flight: Flight) -> FlightRow:
         """Fly one flight; its record is on the disk before its row is returned."""
@@ -85,12 +84,4 @@ class Pilot:
         seconds = time.perf_counter() - begin
         if self._records is not None:
             record.save(record_path(self._records, flight.key))
-        return flight_row(
-            record, flight.scenario, flight.key, seconds, self._world, self._judge(record)
-        )
-
-    def _judge(self, record: FlightRecord) -> TrueCells | None:
-        """Made when the first waypoint is dropped: all flights share one lattice."""
-        if self._cells is None and record.dropped:
-            self._cells = TrueCells(self._world, self._base.mapping)
-        return self._cells
+        return flight_row(record, flight.scenario, flight.key, seconds, self._judge)

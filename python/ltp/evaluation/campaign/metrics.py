@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a flight was worth: pure functions of its record, and of the world that judges it."""
+"""What a flight was worth: pure functions of its record, and of the judge of its drops."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -9,10 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ltp._core import PathTally, penalty
-from ltp.sim.record import FlightRecord, Outcome, WaypointEntry
-from ltp.world import World
+from ltp.sim.record import FlightRecord, Outcome
 
-from .reachability import TrueCells
+from .drops import DropJudge
 from .rows import FlightRow
 
 if TYPE_CHECKING:
@@ -48,45 +47,12 @@ def end_distance(record: FlightRecord) -> float:
     return float(np.linalg.norm(record.positions[-1] - record.global_path[-1]))
 
 
-def wrongly_dropped(
-    record: FlightRecord, world: World, cells: TrueCells | None = None
-) -> list[WaypointEntry]:
-    """The dropped waypoints to which the true world's own cells have a way.
-
-    For each drop, a flood over the cells that the solid world itself blocks (the same lattice,
-    inflation and altitude band as the mission's map, but the whole world instead of the window, and
-    all of its surface instead of what was sensed) from where the UAV was. If it reaches the
-    waypoint's cell, the drop was wrong.
-
-    Args:
-        record: of the flight.
-        world: that it was flown over.
-        cells: of this world and these map options, if at hand; else they are made.
-
-    Raises:
-        ValueError: if the map's window was not on the lattice of the cells.
-    """
-    drops = [event for event in record.waypoints if event.outcome == "dropped"]
-    if not drops:
-        return []
-    cells = cells or TrueCells(world, record.config.mapping)
-    if strange := [drop for drop in drops if not cells.on_lattice(drop.window_origin)]:
-        raise ValueError(f"window_origin {strange[0].window_origin} is not on the world's lattice")
-    band = record.config.navigation.band
-    return [
-        drop
-        for drop in drops
-        if cells.reachable(drop.position, drop.goal, below=band[0], above=band[1])
-    ]
-
-
 def flight_row(
     record: FlightRecord,
     scenario: "Scenario",
     key: str,
     seconds: float,
-    world: World,
-    cells: TrueCells | None = None,
+    judge: DropJudge,
 ) -> FlightRow:
     """The row of a flight.
 
@@ -95,10 +61,9 @@ def flight_row(
         scenario: that it flew.
         key: see `flights.flight_key`.
         seconds: wall time that the flight took to simulate [s].
-        world: that it was flown over.
-        cells: see `wrongly_dropped`.
+        judge: of the waypoints that it dropped.
     """
-    drops = [event for event in record.waypoints if event.outcome == "dropped"]
+    drops = record.dropped
     times = TimeStatistics.of(record.plan_seconds)
     config = record.config
     return FlightRow(
@@ -118,7 +83,8 @@ def flight_row(
         dropped=len(drops),
         dropped_goal_blocked=sum(drop.reason == "goal_blocked" for drop in drops),
         dropped_unreachable=sum(drop.reason == "unreachable" for drop in drops),
-        wrongly_dropped=len(wrongly_dropped(record, world, cells)),
+        wrongly_dropped=len(judge.wrong_by_the_maps_cells(record)),
+        wrongly_dropped_fine=len(judge.wrong_by_fine_cells(record)),
         collided=record.outcome is Outcome.COLLIDED,
         mean_priority=record.mean_priority,
         length=record.length,

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whether a goal can be reached at all through the true world's own cells: the judge of drops."""
 
-import itertools
 import math
 from typing import TYPE_CHECKING
 
@@ -10,6 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ltp.world import World
+
+from .flood import connected
 
 if TYPE_CHECKING:
     from ltp._core import ObstacleMapOptions
@@ -84,7 +85,7 @@ class TrueCells:
             if way_out is None:
                 return False
             seed = way_out
-        return _connected(free, seed, cells[1])
+        return connected(free, seed, cells[1])
 
     def _way_out(
         self, free: NDArray[np.bool_], start: NDArray[np.float64], low: int
@@ -109,50 +110,3 @@ class TrueCells:
                 free[1:-1, 1:-1, level - low + 1] = blocked == 0
             self._free[low, high] = free
         return self._free[low, high]
-
-
-def _connected(free: NDArray[np.bool_], start: NDArray[np.int64], goal: NDArray[np.int64]) -> bool:
-    """Two floods, one from each end; the one with the smaller front advances.
-
-    The step rule reads the same in both directions, so they may meet half way. A goal in a small
-    yard is settled by filling the yard.
-    """
-    cells = free.reshape(-1)
-    ends = [int(np.ravel_multi_index(tuple(end + 1), free.shape)) for end in (start, goal)]
-    if ends[0] == ends[1]:
-        return True
-    steps = _step_boxes(free.shape)
-    reached = np.zeros(cells.shape, dtype=np.uint8)
-    reached[ends] = (1, 2)
-    fronts = [np.array([end]) for end in ends]
-    while all(len(front) for front in fronts):
-        side = int(len(fronts[1]) < len(fronts[0]))
-        mine, other = side + 1, 2 - side
-        found = []
-        for target, box in steps:
-            legal = cells[fronts[side] + box[0]]
-            for offset in box[1:]:
-                legal &= cells[fronts[side] + offset]
-            next_cells = fronts[side][legal] + target
-            marks = reached[next_cells]
-            if np.any(marks == other):
-                return True
-            fresh = next_cells[marks == 0]
-            reached[fresh] = mine
-            found.append(fresh)
-        fronts[side] = np.concatenate(found)
-    return False
-
-
-def _step_boxes(shape: tuple[int, ...]) -> list[tuple[int, list[int]]]:
-    """For each of the 26 steps: its offset in a flat array, and those of its bounding box."""
-    strides = (shape[1] * shape[2], shape[2], 1)
-    steps = []
-    climbs = (0,) if shape[2] == 3 else (-1, 0, 1)  # one level between the blocked ones
-    for step in itertools.product((-1, 0, 1), (-1, 0, 1), climbs):
-        if step == (0, 0, 0):
-            continue
-        box = itertools.product(*[(0, d) if d else (0,) for d in step])
-        offsets = [sum(d * s for d, s in zip(corner, strides, strict=True)) for corner in box]
-        steps.append((offsets[-1], offsets[1:]))
-    return steps

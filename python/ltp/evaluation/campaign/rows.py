@@ -39,6 +39,7 @@ class FlightRow:
     dropped_goal_blocked: int  # of these: the waypoint lay in a blocked cell
     dropped_unreachable: int  # of these: no free path led there
     wrongly_dropped: int  # of these: the true world's own cells have a way there
+    wrongly_dropped_fine: int | None = None  # of these: by cells of 0.5 m
     collided: bool
     mean_priority: float
     length: float  # flown [m]
@@ -61,6 +62,16 @@ class FlightRow:
         """The old name of `waypoints`, for one release."""
         warnings.warn("`way_points` is now `waypoints`", DeprecationWarning, stacklevel=2)
         return self.waypoints
+
+    @property
+    def completed(self) -> bool:
+        """Whether the end of the global path was reached, or proved unreachable."""
+        return self.outcome == "reached"
+
+    @property
+    def path(self) -> tuple[int, int]:
+        """The global path that was flown along: seed and index of its scenario."""
+        return self.seed, self.scenario
 
     @property
     def plan_times(self) -> list[float]:

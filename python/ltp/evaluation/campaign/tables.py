@@ -8,80 +8,11 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
 from ..conditions import PRIORITY_MAPS, map_title
-from .paper import PAPER, PaperRow
+from .paper import PaperRow
 from .rows import FlightRow
+from .summary import Spread, Summary
 from .variants import TABLE_I, TABLE_II, Variant, with_refined
-
-
-@dataclass(frozen=True)
-class Spread:
-    """Mean and sample standard deviation (n - 1); nan where there are too few values."""
-
-    mean: float
-    sd: float
-
-    @staticmethod
-    def of(values: Sequence[float]) -> "Spread":
-        """Of plain numbers."""
-        array = np.array(values, dtype=np.float64)
-        mean = float(array.mean()) if len(array) else math.nan
-        return Spread(mean, float(array.std(ddof=1)) if len(array) > 1 else math.nan)
-
-
-@dataclass(frozen=True)
-class Summary:
-    """All flights of one variant. Means are over the flights that came to an end (`completed`)."""
-
-    world: str
-    variant: Variant
-    flights: int
-    completed: int  # the end of the global path was reached, or proved unreachable
-    timed_out: int
-    collisions: int
-    dropped: int  # waypoints, of all flights together
-    wrongly_dropped: int
-    mean_priority: Spread
-    length_ratio: Spread
-    min_clearance: float  # the smallest of all flights [m]
-    plans: int
-    time_mean: float  # of a search, over all searches of all flights [ms]
-    time_median: float
-    time_p95: float
-    paper: PaperRow | None
-
-
-def summarise(variant: Variant, rows: Iterable[FlightRow]) -> Summary:
-    """Gather the rows of one variant from among others; all must be of one world.
-
-    Raises:
-        ValueError: if the rows are of several worlds.
-    """
-    mine = [row for row in rows if row.variant == variant]
-    if len(worlds := {row.world for row in mine}) > 1:
-        raise ValueError(f"rows of several worlds in one table: {', '.join(sorted(worlds))}")
-    ended = [row for row in mine if row.outcome == "reached"]
-    times = np.array([time for row in mine for time in row.plan_times])
-    return Summary(
-        world=mine[0].world if mine else "",
-        variant=variant,
-        flights=len(mine),
-        completed=len(ended),
-        timed_out=sum(row.outcome == "timed_out" for row in mine),
-        collisions=sum(row.collided for row in mine),
-        dropped=sum(row.dropped for row in mine),
-        wrongly_dropped=sum(row.wrongly_dropped for row in mine),
-        mean_priority=Spread.of([row.mean_priority for row in ended]),
-        length_ratio=Spread.of([row.length_ratio for row in ended]),
-        min_clearance=min((row.min_clearance for row in mine), default=math.nan),
-        plans=sum(row.plans for row in mine),
-        time_mean=float(times.mean()) if len(times) else math.nan,
-        time_median=float(np.median(times)) if len(times) else math.nan,
-        time_p95=float(np.percentile(times, 95)) if len(times) else math.nan,
-        paper=PAPER.get(variant),
-    )
 
 
 def table_variants(rows: Iterable[FlightRow]) -> dict[str, list[Variant]]:
@@ -124,7 +55,16 @@ def markdown_table(summaries: Sequence[Summary]) -> str:
     for line in lines:
         cells = [f"**{cell}**" if best else cell for cell, best in line]
         text.append("| " + " | ".join(cells) + " |")
-    return "\n".join(text) + "\n"
+    return "\n".join(text) + f"\n\n{averaged_over(summaries)}\n"
+
+
+def averaged_over(summaries: Sequence[Summary]) -> str:
+    """Which flights the means of a table are over, in a sentence."""
+    whole = [summary for summary in summaries if not summary.timed_out_only]
+    common, most = whole[0].common, max(summary.flights for summary in whole)
+    if len(whole) == 1:
+        return f"P and L are means over the {common} of {most} flights that came to their end."
+    return f"P and L are means over the {common} of {most} paths that all rows flew to the end."
 
 
 def brief_cells(
@@ -164,7 +104,10 @@ class _Column:
         """Which are the best, to three significant digits: rounding makes them equal."""
         if self.rank is None or len(summaries) < 2:
             return [False] * len(summaries)
-        ranks = [float(f"{self.rank(summary):.3g}") for summary in summaries]
+        ranks = [
+            math.nan if summary.timed_out_only else float(f"{self.rank(summary):.3g}")
+            for summary in summaries
+        ]
         best = min((rank for rank in ranks if not math.isnan(rank)), default=math.nan)
         return [rank == best for rank in ranks]
 
@@ -185,8 +128,18 @@ def _paper(show: Callable[[PaperRow], str]) -> Callable[[Summary], str]:
     return lambda summary: show(summary.paper) if summary.paper else "–"
 
 
+def _title(summary: Summary) -> str:
+    title = summary.variant.contender.title
+    return f"{title}: timed out" if summary.timed_out_only else title
+
+
+def _dropped(summary: Summary) -> str:
+    fine = summary.wrongly_dropped_fine
+    return f"{summary.dropped} ({summary.wrongly_dropped}, {'–' if fine is None else fine})"
+
+
 _COLUMNS = (
-    _Column("algorithm", lambda s: s.variant.contender.title, text=True),
+    _Column("algorithm", _title, text=True),
     _Column("W_L", lambda s: f"{s.variant.length_weight:g}"),
     _Column("W_P", lambda s: f"{s.variant.priority_weight:g}"),
     _Column("mean P (SD)", lambda s: _spread(s.mean_priority), lambda s: -s.mean_priority.mean),
@@ -198,7 +151,7 @@ _COLUMNS = (
     _Column("median ms", lambda s: _time(s.time_median)),
     _Column("95 % ms", lambda s: _time(s.time_p95)),
     _Column("completed", lambda s: f"{s.completed}/{s.flights}"),
-    _Column("waypoints dropped (wrongly)", lambda s: f"{s.dropped} ({s.wrongly_dropped})"),
+    _Column("waypoints dropped (wrongly, at 0.5 m)", _dropped),
     _Column("collisions", lambda s: str(s.collisions)),
     _Column("smallest clearance [m]", lambda s: _spread(Spread(s.min_clearance, math.nan))),
 )
@@ -213,7 +166,7 @@ _BRIEF = {
     "ms per plan": "ms",
     "95 % ms": "95 %",
     "completed": "done",
-    "waypoints dropped (wrongly)": "dropped",
+    "waypoints dropped (wrongly, at 0.5 m)": "dropped",
     "collisions": "hits",
     "smallest clearance [m]": "clear",
 }
@@ -226,6 +179,7 @@ _CSV_COLUMNS: dict[str, Callable[[Summary], object]] = {
     "priority_weight": lambda s: s.variant.priority_weight,
     "priority_map": lambda s: s.variant.priority_map,
     "refine": lambda s: "yes" if s.variant.refine else "no",
+    "timed_out_only": lambda s: "yes" if s.timed_out_only else "no",
     "mean_priority": lambda s: s.mean_priority.mean,
     "mean_priority_sd": lambda s: s.mean_priority.sd,
     "paper_mean_priority": lambda s: s.paper and s.paper.mean_priority,
@@ -236,10 +190,12 @@ _CSV_COLUMNS: dict[str, Callable[[Summary], object]] = {
     "paper_length_ratio_sd": lambda s: s.paper and s.paper.length_ratio_sd,
     "flights": lambda s: s.flights,
     "completed": lambda s: s.completed,
+    "common": lambda s: s.common,
     "timed_out": lambda s: s.timed_out,
     "collisions": lambda s: s.collisions,
     "dropped": lambda s: s.dropped,
     "wrongly_dropped": lambda s: s.wrongly_dropped,
+    "wrongly_dropped_fine": lambda s: s.wrongly_dropped_fine,
     "min_clearance": lambda s: s.min_clearance,
     "plans": lambda s: s.plans,
     "time_plan_mean_ms": lambda s: s.time_mean,

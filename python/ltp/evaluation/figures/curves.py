@@ -52,7 +52,7 @@ def curves(
         if row.priority_map == priority_map and row.length_weight:
             flown = row.variant
             ended = flights.setdefault((flown.contender.name, flown.ratio), {})
-            if row.outcome == "reached":
+            if row.completed:
                 ended[row.seed, row.scenario] = row
     ratios: dict[str, list[float]] = {}
     for planner, ratio in flights:

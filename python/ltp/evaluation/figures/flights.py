@@ -16,7 +16,7 @@ from ltp.sim.record import FlightRecord
 from ltp.world import World
 
 from ..campaign.rows import FlightRow
-from ..campaign.tables import Spread
+from ..campaign.summary import Spread
 from ..campaign.variants import at_ratio
 from ..conditions import PRIORITY_MAPS, map_title
 from ..contenders import Contender, contender_title
@@ -208,7 +208,7 @@ def _values(
     rows: Sequence[FlightRow], planner: str, kind: str, ratio: float, name: str
 ) -> list[float]:
     variant = at_ratio(ratio, planner, kind)
-    mine = [row for row in rows if row.variant == variant and row.outcome == "reached"]
+    mine = [row for row in rows if row.variant == variant and row.completed]
     return [getattr(row, name) for row in mine]
 
 

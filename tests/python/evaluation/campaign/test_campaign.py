@@ -124,6 +124,39 @@ def test_another_build_flies_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     assert not {row.key for row in first} & {row.key for row in second}
     assert len(journal_keys(tmp_path)) == 4
     assert read_rows(tmp_path / TABLE) == second  # the table never mixes them
+    (older,) = tmp_path.glob("flights-*.csv")
+    assert read_rows(older) == first  # nor loses any
+
+
+def test_another_command_adds_its_rows(tmp_path: Path) -> None:
+    first = run_campaign(small_campaign(2, VARIANTS[:1]), tmp_path)
+    second = run_campaign(small_campaign(1, VARIANTS[1:]), tmp_path)
+    assert [row.planner for row in second] == ["ggwp"]
+    assert read_rows(tmp_path / TABLE) == first + second
+    run_campaign(small_campaign(1, VARIANTS[:1]), tmp_path)  # a part of it, once more
+    assert read_rows(tmp_path / TABLE) == first + second
+
+
+def test_another_world_setting_or_path_is_refused_by_name(tmp_path: Path) -> None:
+    campaign = small_campaign(1, VARIANTS[:1])
+    first = run_campaign(campaign, tmp_path)
+    flatter = dataclasses.replace(campaign.world, surface=campaign.world.surface * 0.9)
+    elsewhere = dataclasses.replace(campaign.world, name="elsewhere")
+    faster = MissionConfig()
+    faster.lidar.max_range = 40.0
+    moved = [dataclasses.replace(s, global_path=s.global_path + 1.0) for s in campaign.scenarios]
+    for changes, found in (
+        ({"world": elsewhere}, "flights over town, not over elsewhere"),
+        ({"world": flatter}, r"over town \(another one of that name\)"),
+        ({"base": faster}, r"with other settings \(lidar.max_range\)"),
+        ({"scenarios": moved}, r"other global paths \(number 0 of seed"),
+    ):
+        with pytest.raises(ValueError, match=found):
+            run_campaign(dataclasses.replace(campaign, **changes), tmp_path)
+        assert read_rows(tmp_path / TABLE) == first
+    (tmp_path / "campaign.json").write_text('{"format": "ltp.campaign", "version": 1}')
+    with pytest.raises(ValueError, match=r"campaign\.json is not what a campaign writes"):
+        run_campaign(campaign, tmp_path)
 
 
 def test_records_are_kept_on_request(tmp_path: Path) -> None:

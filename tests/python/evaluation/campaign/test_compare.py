@@ -12,6 +12,7 @@ from ltp.evaluation.campaign.compare import (
     compare,
     compare_all,
     flown_maps,
+    flown_planners,
     markdown_comparisons,
     pick,
 )
@@ -86,3 +87,12 @@ def test_what_cannot_be_paired_is_said() -> None:
             compare_all(rows, ["lp-dijkstra", other], 2.0, ["binary"])
     with pytest.raises(ValueError, match="two planners"):
         compare_all(rows, ["lp-dijkstra"], 2.0, ["binary"])
+
+
+def test_by_default_what_was_flown_is_compared_with_lp_dijkstra() -> None:
+    rows = [flight("ggwp", 0, kind="lpf"), flight("bezier", 0), flight("lp-dijkstra", 0)]
+    rows += [flight("sweep", 0, ratio=5.0), flight("bezier+refine", 0)]
+    assert flown_planners(rows, 2.0) == ["lp-dijkstra", "bezier", "bezier+refine"]
+    assert flown_planners(rows, 2.0, ["lpf"]) == []
+    assert flown_planners(rows, 5.0) == []
+    assert flown_planners(rows[:2], 2.0) == []

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Metrics of a flight, and the judge of dropped waypoints against an obvious reference."""
 
+import dataclasses
 import math
 
 import numpy as np
@@ -10,12 +11,13 @@ from scipy import ndimage
 
 from ltp import _core as core
 from ltp._core import PenaltyWeights, PlannerOptions
+from ltp.evaluation.campaign.drops import DropJudge
+from ltp.evaluation.campaign.fine_cells import FineCells
 from ltp.evaluation.campaign.metrics import (
     TimeStatistics,
     end_distance,
     flight_row,
     flown_penalty,
-    wrongly_dropped,
 )
 from ltp.evaluation.campaign.reachability import TrueCells
 from ltp.evaluation.scenarios import Scenario
@@ -115,15 +117,62 @@ def test_wrong_drops_are_found_and_right_ones_left_alone() -> None:
     open_field = event(2, "dropped", "unreachable", goal=(180.0, 80.0, 40.0), **where)
     reached = event(3, goal=(180.0, 80.0, 40.0), **where)
     flight = record([inside, in_wall, open_field, reached])
-    assert wrongly_dropped(flight, courtyard()) == [open_field]
-    assert wrongly_dropped(record([reached]), courtyard()) == []
+    judge = DropJudge(courtyard(), flight.config)
+    for wrong in (judge.wrong_by_the_maps_cells, judge.wrong_by_fine_cells):
+        assert wrong(flight) == [open_field]
+        assert wrong(record([reached])) == []
+
+
+def test_the_fine_judge_sees_a_gap_that_the_maps_cells_close() -> None:
+    # Of the courtyard's wall 4 m are missing: open for a radius of 1 m, shut for cells of 2 m that
+    # are inflated by 1 m.
+    world = courtyard()
+    surface = world.surface.copy()
+    surface[60:70, 78:82] = 0.0
+    world = dataclasses.replace(world, surface=surface)
+    drop = event(0, "dropped", "unreachable", goal=(90.0, 80.0, 40.0), position=(20.0, 80.0, 40.0))
+    judge = DropJudge(world, record().config)
+    assert judge.wrong_by_the_maps_cells(record([drop])) == []
+    assert judge.wrong_by_fine_cells(record([drop])) == [drop]
+
+
+def labels_of_levels(world: World, height: int, pad: int) -> np.ndarray:
+    """Blocked cells of 0.5 m, by dilation: of all within 1 m, gaps of 0, 1 and 2 cells."""
+    solid = np.zeros((*(2 * n + 2 * pad for n in world.shape), height), dtype=bool)
+    tops = np.kron(world.surface, np.ones((2, 2)))
+    solid[pad:-pad, pad:-pad] = 0.5 * np.arange(height) < tops[..., None]
+    gaps = np.maximum(np.abs(np.mgrid[-3:4, -3:4, -3:4]) - 1, 0) * 0.5
+    return ndimage.binary_dilation(solid, np.square(gaps).sum(axis=0) <= 1.0)
+
+
+@pytest.mark.parametrize("above", [0.0, 8.0, math.inf])
+def test_fine_cells_reach_what_labels_at_every_level_reach(above: float) -> None:
+    answers = []
+    pad, height = 12, 80
+    for seed in range(3):
+        blocks = random_world(seed)
+        part = {name: getattr(blocks, name)[:70, :60] for name in ("ground", "surface", "classes")}
+        world = dataclasses.replace(blocks, **part)
+        cells = FineCells(world, radius=1.0)
+        blocked = labels_of_levels(world, height, pad)
+        rng = np.random.default_rng(seed)
+        free = np.argwhere(~blocked[pad:-pad, pad:-pad, :12])  # low, where yards are closed
+        for a, b in free[rng.integers(len(free), size=(15, 2))]:
+            low = min(a[2], b[2])
+            high = int(min(height - 1, max(a[2], b[2]) + min(above, 1e3) * 2))
+            labels, _ = ndimage.label(~blocked[:, :, low : high + 1])
+            i, j = (tuple(np.add(end, (pad, pad, -low))) for end in (a, b))
+            found = cells.reachable((a + 0.5) * 0.5, (b + 0.5) * 0.5, above=above)
+            assert found == (labels[i] == labels[j])
+            answers.append(found)
+    assert len(answers) == 45 and (set(answers) == {True, False} or above > 0.0)
 
 
 def test_a_window_off_the_lattice_is_refused() -> None:
     strange = event(0, "dropped", "unreachable", goal=(90.0, 80.0, 40.0))
     object.__setattr__(strange, "window_origin", (0.7, 0.0, 0.0))
     with pytest.raises(ValueError, match="window_origin"):
-        wrongly_dropped(record([strange]), courtyard())
+        DropJudge(courtyard(), record().config).wrong_by_the_maps_cells(record([strange]))
 
 
 def test_the_penalty_of_a_flight_is_equation_5() -> None:
@@ -131,6 +180,8 @@ def test_the_penalty_of_a_flight_is_equation_5() -> None:
     flight = record(length=60.0, planner_options=options)
     assert flown_penalty(flight) == pytest.approx(0.5 * 60.0 / 50.0 - 2.0 * 0.75)
     assert end_distance(flight) == 0.0
+    away = dataclasses.replace(flight, positions=np.add(flight.positions, (3.0, 0.0, 4.0)))
+    assert end_distance(away) == pytest.approx(5.0)  # its height counts
 
 
 def test_time_statistics() -> None:
@@ -147,13 +198,15 @@ def test_a_row_holds_what_the_record_says() -> None:
     drop = event(0, "dropped", "unreachable", goal=(180.0, 80.0, 40.0), position=(20.0, 80.0, 40.0))
     flight = record([drop, event(1)], seconds=(0.001, 0.003))
     scenario = Scenario(4, 9, flight.global_path, crosses_building=True)
-    row = flight_row(flight, scenario, "abc", 1.5, courtyard())
+    judge = DropJudge(courtyard(), flight.config)
+    row = flight_row(flight, scenario, "abc", 1.5, judge)
     assert (row.key, row.scenario, row.seed, row.crosses_building) == ("abc", 4, 9, True)
     assert (row.waypoints, row.reached, row.dropped) == (2, 1, 1)
     assert (row.dropped_unreachable, row.dropped_goal_blocked, row.wrongly_dropped) == (1, 0, 1)
+    assert row.wrongly_dropped_fine == 1
     assert (row.outcome, row.collided, row.plans, row.expanded) == ("reached", False, 2, 14)
     assert row.length_ratio == pytest.approx(60.0 / 50.0)
     assert row.plan_times == [1.0, 3.0]
     assert (row.time_plan_mean, row.time_plan_median, row.time_flight) == (2.0, 2.0, 1.5)
-    unplanned = flight_row(record(seconds=()), scenario, "abc", 1.5, courtyard())
+    unplanned = flight_row(record(seconds=()), scenario, "abc", 1.5, judge)
     assert unplanned.time_plan_mean is None and unplanned.plan_times == []

@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 from ltp.evaluation.campaign.paper import PAPER
+from ltp.evaluation.campaign.summary import Spread, summarise
 from ltp.evaluation.campaign.tables import (
-    Spread,
+    averaged_over,
     csv_table,
     markdown_table,
-    summarise,
     table_cells,
     table_variants,
 )
@@ -43,11 +43,12 @@ def flights(variant: Variant, priorities: list[float], **changes: object) -> lis
 def test_a_summary_is_mean_and_sample_sd_of_the_flights_that_ended() -> None:
     rows = flights(DIJKSTRA, [0.5, 0.7, 0.9])
     rows[0] = row(mean_priority=0.5, length_ratio=1.3, time_plans="1|2|9", dropped=2, plans=3)
-    rows += flights(DIJKSTRA, [0.0], outcome="timed_out", time_plans="100", min_clearance=0.25)
-    rows += flights(DIJKSTRA, [0.0], outcome="collided", collided=True, time_plans="")
+    late = {"outcome": "timed_out", "time_plans": "100", "min_clearance": 0.25}
+    rows += flights(DIJKSTRA, [0.0], seed=2, length_ratio=9.0, **late)
+    rows += flights(DIJKSTRA, [0.0], seed=3, outcome="collided", collided=True, time_plans="")
     rows += flights(TABLE_I[0], [0.1])
-    summary = summarise(DIJKSTRA, rows)
-    assert (summary.flights, summary.completed) == (5, 3)
+    summary, lost = summarise([DIJKSTRA], rows)
+    assert (summary.flights, summary.completed, summary.common) == (5, 3, 3)
     assert (summary.timed_out, summary.collisions) == (1, 1)
     assert summary.dropped == 6
     assert summary.mean_priority.mean == pytest.approx(0.7)
@@ -58,6 +59,44 @@ def test_a_summary_is_mean_and_sample_sd_of_the_flights_that_ended() -> None:
     assert summary.time_mean == pytest.approx(np.mean(times))
     assert summary.time_median == pytest.approx(np.median(times))
     assert summary.time_p95 == pytest.approx(np.percentile(times, 95))
+    # What timed out has a row of its own.
+    assert lost.timed_out_only and not summary.timed_out_only
+    assert (lost.flights, lost.completed, lost.length_ratio.mean) == (1, 0, 9.0)
+    assert "LP-Dijkstra: timed out" in markdown_table([summary, lost])
+
+
+def test_means_are_over_the_paths_that_all_rows_flew_to_the_end() -> None:
+    easy, hard = {"length_ratio": 1.1}, {"length_ratio": 2.0}
+    other = TABLE_I[0]
+    rows = flights(DIJKSTRA, [0.5, 0.5], **easy) + flights(DIJKSTRA, [0.9], seed=2, **hard)
+    # The other strands on the hard path, and looks no shorter for it.
+    rows += flights(other, [0.4, 0.4], length_ratio=1.2)
+    rows += flights(other, [0.1], seed=2, outcome="timed_out", length_ratio=0.3)
+    ours, theirs, lost = summarise([DIJKSTRA, other], rows)
+    assert [s.common for s in (ours, theirs)] == [2, 2]
+    assert ours.length_ratio.mean == pytest.approx(1.1)
+    assert theirs.length_ratio.mean == pytest.approx(1.2)
+    assert ours.mean_priority.mean == pytest.approx(0.5)
+    assert (ours.completed, theirs.completed, lost.flights) == (3, 2, 1)
+    text = markdown_table([ours, theirs, lost])
+    assert "over the 2 of 3 paths that all rows flew to the end" in text
+    assert "**0.30**" not in text  # what timed out is never the best
+
+
+def test_what_is_flown_by_nobody_else_leaves_nothing_to_average() -> None:
+    rows = flights(DIJKSTRA, [0.5]) + flights(TABLE_I[0], [0.5], seed=2)
+    summaries = summarise([DIJKSTRA, TABLE_I[0]], rows)
+    assert all(math.isnan(s.length_ratio.mean) and s.common == 0 for s in summaries)
+    assert "over the 0 of 1" in averaged_over(summaries)
+
+
+def test_drops_are_judged_twice_where_they_were() -> None:
+    rows = flights(DIJKSTRA, [0.5, 0.6], wrongly_dropped=1, wrongly_dropped_fine=2)
+    assert "| 2 (2, 4) |" in markdown_table(summarise([DIJKSTRA], rows))
+    rows += flights(DIJKSTRA, [0.5], seed=2)  # of a file older than the column
+    (summary,) = summarise([DIJKSTRA], rows)
+    assert summary.wrongly_dropped_fine is None
+    assert "| 3 (2, –) |" in markdown_table([summary])
 
 
 def test_the_papers_numbers_stand_beside_ours() -> None:
@@ -68,7 +107,8 @@ def test_the_papers_numbers_stand_beside_ours() -> None:
     assert PAPER[DIJKSTRA].length_ratio / PAPER[TABLE_I[0]].length_ratio == pytest.approx(
         1.072, abs=0.001
     )  # "by only ~7.2 %"
-    summaries = [summarise(variant, flights(variant, [0.5, 0.6])) for variant in TABLE_I]
+    rows = [r for variant in TABLE_I for r in flights(variant, [0.5, 0.6])]
+    summaries = summarise(TABLE_I, rows)
     titles, lines = table_cells(summaries)
     column = titles.index("paper: P")
     assert [line[column][0] for line in lines] == [
@@ -87,10 +127,10 @@ def test_the_best_values_are_marked() -> None:
     rows = flights(TABLE_I[0], [0.5], length_ratio=1.05, time_plans="9")
     rows += flights(TABLE_I[1], [0.8], length_ratio=1.20, time_plans="9")
     rows += flights(TABLE_I[6], [0.4], length_ratio=1.054, time_plans="3")
-    text = markdown_table([summarise(TABLE_I[i], rows) for i in (0, 1, 6)])
+    text = markdown_table(summarise([TABLE_I[i] for i in (0, 1, 6)], rows))
     assert re.findall(r"\*\*(.*?)\*\*", text) == ["1.05", "0.80", "1.05", "3.00"]
-    assert len({line.count("|") for line in text.splitlines()}) == 1
-    alone = markdown_table([summarise(TABLE_I[0], rows)])
+    assert {line.count("|") for line in text.splitlines()} - {0} == {16}
+    alone = markdown_table(summarise([TABLE_I[0]], rows))
     assert "**" not in alone  # nothing to compare with
 
 
@@ -116,29 +156,29 @@ def test_refined_rows_follow_the_plain_ones() -> None:
         [DIJKSTRA, ggwp, ggwp.refined],
         [bezier, bezier.refined],
     ]
-    summary = summarise(ggwp.refined, rows)
+    (summary,) = summarise([ggwp.refined], rows)
     assert summary.flights == 2 and summary.paper is None
     assert "| GGWP, refined | 1 | 0 |" in markdown_table([summary])
     assert [line["refine"] for line in csv.DictReader(io.StringIO(csv_table([summary])))] == ["yes"]
 
 
 def test_the_csv_has_the_same_numbers_unrounded() -> None:
-    summary = summarise(DIJKSTRA, flights(DIJKSTRA, [0.1, 0.2, 0.6]))
+    (summary,) = summarise([DIJKSTRA], flights(DIJKSTRA, [0.1, 0.2, 0.6]))
     (line,) = csv.DictReader(io.StringIO(csv_table([summary])))
     assert float(line["mean_priority"]) == summary.mean_priority.mean
     assert float(line["paper_time_plan_ms"]) == 20.0
     assert line["world"] == "boxes" and line["flights"] == "3"
-    (empty,) = csv.DictReader(io.StringIO(csv_table([summarise(TABLE_II[0], [])])))
+    (empty,) = csv.DictReader(io.StringIO(csv_table(summarise([TABLE_II[0]], []))))
     assert empty["mean_priority"] == "" and empty["paper_time_plan_ms"] == ""
 
 
 def test_two_worlds_do_not_mix() -> None:
     rows = [row(), row(world="elsewhere")]
     with pytest.raises(ValueError, match="boxes, elsewhere"):
-        summarise(DIJKSTRA, rows)
+        summarise([DIJKSTRA], rows)
 
 
 def test_too_few_values_have_no_spread() -> None:
     assert Spread.of([0.4]).mean == 0.4 and math.isnan(Spread.of([0.4]).sd)
     assert math.isnan(Spread.of([]).mean)
-    assert "–" in markdown_table([summarise(DIJKSTRA, [])])
+    assert "–" in markdown_table(summarise([DIJKSTRA], []))

@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""`DropJudge`: which dropped waypoints the true world has a way to, by coarse and by fine cells."""
+
+from ltp.config import MissionConfig
+from ltp.sim.record import FlightRecord, WaypointEntry
+from ltp.world import World
+
+from .fine_cells import FineCells
+from .reachability import TrueCells
+
+
+class DropJudge:
+    """Judges the dropped waypoints of flights over one world, all with one map.
+
+    Args:
+        world: that is flown over.
+        config: of the flights: their map's cells, the vehicle's radius (`mapping.inflation_radius`)
+            and the altitude band.
+    """
+
+    def __init__(self, world: World, config: MissionConfig) -> None:
+        self._world = world
+        self._mapping = config.mapping
+        self._coarse: TrueCells | None = None  # made when the first waypoint is dropped
+        self._fine: FineCells | None = None
+
+    def wrong_by_the_maps_cells(self, record: FlightRecord) -> list[WaypointEntry]:
+        """The dropped waypoints to which the true world's own cells have a way.
+
+        For each drop, a flood over the cells that the solid world itself blocks (the same lattice,
+        inflation and altitude band as the mission's map, but the whole world instead of the window,
+        and all of its surface instead of what was sensed) from where the UAV was. If it reaches the
+        waypoint's cell, the map or the search dropped it wrongly.
+
+        Raises:
+            ValueError: if the map's window was not on the lattice of the cells.
+        """
+        if not record.dropped:
+            return []
+        self._coarse = self._coarse or TrueCells(self._world, self._mapping)
+        for drop in record.dropped:
+            if not self._coarse.on_lattice(drop.window_origin):
+                raise ValueError(
+                    f"window_origin {drop.window_origin} is not on the world's lattice"
+                )
+        below, above = record.config.navigation.band
+        return [
+            drop
+            for drop in record.dropped
+            if self._coarse.reachable(drop.position, drop.goal, below=below, above=above)
+        ]
+
+    def wrong_by_fine_cells(self, record: FlightRecord) -> list[WaypointEntry]:
+        """The dropped waypoints to which the vehicle fits through the true world: see `FineCells`.
+
+        What the map's cells are too coarse for counts here too.
+        """
+        if not record.dropped:
+            return []
+        self._fine = self._fine or FineCells(self._world, self._mapping.inflation_radius)
+        above = record.config.navigation.band[1]
+        return [
+            drop
+            for drop in record.dropped
+            if self._fine.reachable(drop.position, drop.goal, above=above)
+        ]
