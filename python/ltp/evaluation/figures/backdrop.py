@@ -3,6 +3,7 @@
 """What all figures of flights share: page, backdrops, lines that stay legible, attribution."""
 
 import os
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -29,6 +30,10 @@ GLOBAL_PATH = "#00c8e6"  # cyan, as in the paper
 START = "#e0213a"  # the paper's red point
 HEIGHT_COLOURS = ("#f6f5f1", "#dcdcd9", "#b4b8bd", "#858b97", "#585e70", "#2f3448")
 
+TALL = "#7a1020"  # outlines of what reaches the flight altitude
+
+_LETTER = 0.0092  # width of a letter for each point of its size, bold [inch]
+_RIM_STEP, _MOST_RIMS = 2.6, 4  # [points]
 _FORMATS = ("png", "pdf", "svg")
 _LEFT, _RIGHT, _BOTTOM, _TOP = 0.75, 0.35, 0.95, 0.95  # margins of a page [inch]
 
@@ -43,6 +48,7 @@ def make_page(
     size: float = 5.6,
     view: Box | None = None,
     bars: bool = True,
+    below: float = 0.0,
 ) -> tuple["Figure", list["Axes"]]:
     """A figure with map panels in a row, a title above and the world's attribution below.
 
@@ -55,6 +61,7 @@ def make_page(
         size: width of a panel [inch].
         view: the part of the world that is shown; default: all.
         bars: whether the panels have colour bars.
+        below: room left free between the panels and the attribution [inch].
     """
     from matplotlib.figure import Figure
 
@@ -62,13 +69,13 @@ def make_page(
     tall = size * min(1.6, max(0.5, (y_max - y_min) / (x_max - x_min)))
     right = _RIGHT + (gap if bars else 0.0)
     width = _LEFT + panels * size + (panels - 1) * gap + right
-    height = _BOTTOM + tall + _TOP
+    height = _BOTTOM + below + tall + _TOP
     figure = Figure(figsize=(width, height), facecolor="white")
     axes = figure.subplots(1, panels, squeeze=False)[0]
     figure.subplots_adjust(
         left=_LEFT / width,
         right=1.0 - right / width,
-        bottom=_BOTTOM / height,
+        bottom=(_BOTTOM + below) / height,
         top=1.0 - _TOP / height,
         wspace=gap / size,
     )
@@ -100,9 +107,16 @@ def caption(figure: "Figure", title: str, subtitle: str, attribution: str) -> No
     """Title and subtitle at the top left, attribution at the bottom left."""
     width, height = figure.get_size_inches()
     left = _LEFT / width
-    figure.text(left, 1.0 - 0.28 / height, title, size=14, weight="bold", color=INK, va="center")
-    figure.text(left, 1.0 - 0.53 / height, subtitle, size=10, color=FAINT, va="center")
-    figure.text(left, 0.2 / height, attribution, size=8.5, color=FAINT, va="center")
+    room = width - _LEFT - 0.1
+    bold: dict[str, Any] = {"weight": "bold", "color": INK}
+    texts = (
+        (title, height - 0.28, 14.0, bold),
+        (subtitle, height - 0.53, 10.0, {"color": FAINT}),
+        (attribution, 0.2, 8.5, {"color": FAINT}),
+    )
+    for text, level, size, style in texts:
+        fitting = min(size, room / (_LETTER * max(1, len(text))))
+        figure.text(left, level / height, text, size=fitting, va="center", **style)
 
 
 def save_figure(figure: "Figure", path: str | os.PathLike[str]) -> None:
@@ -187,6 +201,39 @@ def draw_global_path(axes: "Axes", path: ArrayLike, label: str = "global path") 
     dots: dict[str, Any] = {"linestyle": (0, (0.1, 1.9)), "dash_capstyle": "round", "zorder": 3}
     draw_path(axes, path, GLOBAL_PATH, label, 2.6, **dots)
     draw_start(axes, np.asarray(path)[:1])
+
+
+def nested_widths(paths: Sequence[ArrayLike], width: float) -> list[float]:
+    """Line widths for paths (n, 3) drawn in order, wider where later ones lie on top.
+
+    A path that others cover for more than half its way shows as a rim round them.
+    """
+    tiles = [_tiles(np.asarray(path)[:, :2]) for path in paths]
+    covers = [_around(tile) for tile in tiles]
+    widths = []
+    for index, tile in enumerate(tiles):
+        above = sum(len(tile & cover) > 0.5 * len(tile) for cover in covers[index + 1 :])
+        widths.append(width + _RIM_STEP * min(above, _MOST_RIMS))
+    return widths
+
+
+def _tiles(xy: NDArray[np.float64]) -> set[tuple[int, int]]:
+    """The squares of 2 m that a densely sampled path passes."""
+    return set(map(tuple, np.floor(xy / 2.0).astype(int).tolist()))
+
+
+def _around(tiles: set[tuple[int, int]]) -> set[tuple[int, int]]:
+    return {(i + di, j + dj) for i, j in tiles for di in (-1, 0, 1) for dj in (-1, 0, 1)}
+
+
+def draw_tall(axes: "Axes", world: World, altitude: float) -> None:
+    """Outlines of all that reaches an altitude above the datum [m]."""
+    tall, cell = thin(world.surface >= altitude, world.cell)
+    if not tall.any() or tall.all():
+        return
+    x, y = (o + cell * (np.arange(n) + 0.5) for o, n in zip(world.origin, tall.shape, strict=True))
+    axes.contour(x, y, tall.T, levels=[0.5], colors=TALL, linewidths=0.9, zorder=2.7)
+    axes.plot([], [], color=TALL, lw=0.9, label=f"reaches the flight altitude, {altitude:.0f} m")
 
 
 def draw_start(axes: "Axes", points: NDArray[np.float64], size: float = 55.0) -> None:

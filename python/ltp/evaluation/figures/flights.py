@@ -19,7 +19,7 @@ from ..campaign.rows import FlightRow
 from ..campaign.summary import Spread
 from ..campaign.variants import at_ratio
 from ..conditions import PRIORITY_MAPS, map_title
-from ..contenders import Contender, contender_title
+from ..contenders import contender_title
 from ..scenarios import Scenario
 from .backdrop import (
     FAINT,
@@ -32,13 +32,17 @@ from .backdrop import (
     draw_path,
     draw_priority,
     draw_start,
+    draw_tall,
     dress,
     make_page,
+    nested_widths,
     panel_title,
     plain_axes,
     quiet_corner,
     view_round,
 )
+from .headline import record_title
+from .profile import draw_strips, strips_height
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -65,27 +69,43 @@ def flown_paths_figure(
     config = records[0].config
     flown = np.concatenate([record.positions for record in records])
     view = view_round(flown, world, _MARGIN, aspect=1.0)
-    contender = Contender.of(config.planner, config.planner_options.refine)
     figure, (left, right) = make_page(
         world,
         2,
-        f"Flown paths for different weights: {contender.title}",
+        f"Flown paths for different weights: {record_title(records[0])}",
         f"{world.name}  ·  {map_title(config.priority_map)}",
         view=view,
+        below=strips_height(len(records)),
     )
     draw_heights(left, world)
     draw_priority(right, world, priority)
     panel_title(left, "Over the obstacle surface")
     panel_title(right, f"Over the {map_title(config.priority_map)}")
+    labels = [_weight_label(record) for record in records]
     for axes in (left, right):
-        draw_global_path(axes, records[0].global_path)
-        for record, colour in zip(records, itertools.cycle(PATH_COLOURS)):
-            draw_path(axes, record.positions, colour, _weight_label(record))
-        draw_drops(axes, records)
+        draw_flights(axes, world, records, labels)
         dress(axes, view)
     right.set_ylabel("")
     draw_legend(left, loc=quiet_corner(view, flown))
+    draw_strips(figure, world, records, PATH_COLOURS)
     return figure
+
+
+def draw_flights(
+    axes: "Axes",
+    world: World,
+    records: Sequence[FlightRecord],
+    labels: Sequence[str],
+    width: float = 2.0,
+) -> None:
+    """The global path, the roofs that reach its altitude, the flights and what they dropped."""
+    path = records[0].global_path
+    draw_tall(axes, world, float(path[:, 2].min()))
+    draw_global_path(axes, path)
+    widths = nested_widths([record.positions for record in records], width)
+    for record, label, wide, colour in zip(records, labels, widths, itertools.cycle(PATH_COLOURS)):
+        draw_path(axes, record.positions, colour, label, wide)
+    draw_drops(axes, records)
 
 
 def global_paths_figure(

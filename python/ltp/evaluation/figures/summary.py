@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One picture that says it all: a city from above, a global path, what each planner made of it."""
 
-import itertools
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -13,19 +12,18 @@ from ltp.drawing.shading import sunlight
 from ltp.sim.record import FlightRecord, Outcome
 from ltp.world import CLASS_COLOURS, LandClass, World
 
-from ..contenders import Contender
 from ..sensed import SensedTrace
 from .backdrop import (
     draw_array,
-    draw_global_path,
     draw_legend,
-    draw_path,
     dress,
     make_page,
     quiet_corner,
     view_round,
 )
-from .flights import PATH_COLOURS, draw_drops
+from .flights import PATH_COLOURS, draw_flights
+from .headline import headline, record_title
+from .profile import draw_strips, strips_height
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -55,27 +53,29 @@ def summary_figure(
     figure, (axes,) = make_page(
         world,
         1,
-        "Where the global path runs through buildings, a local one finds its way",
+        headline(world, records),
         f"{world.name}  ·  {records[0].global_length:.0f} m at z = {height} m  ·  W_L = "
         f"{weights.length:g}, W_P = {weights.priority:g}, {config.priority_map} map",
         gap=0.0,
         size=size,
         view=view,
         bars=False,
+        below=strips_height(len(records)),
     )
     _draw_city(axes, world)
     _draw_sensed(axes, sensed)
-    draw_global_path(axes, records[0].global_path)
-    for record, colour in zip(records, itertools.cycle(PATH_COLOURS)):
-        name = Contender.of(record.config.planner, record.config.planner_options.refine).title
-        label = f"{name}:  P = {record.mean_priority:.2f},  L/L_GP = {record.length_ratio:.2f}"
-        if record.outcome is not Outcome.REACHED:
-            label = f"{name}:  {record.outcome.value.replace('_', ' ')}"
-        draw_path(axes, record.positions, colour, label, 2.2)
-    draw_drops(axes, records)
+    draw_flights(axes, world, records, [_label(record) for record in records], 2.2)
     draw_legend(axes, fontsize=9.5, loc=quiet_corner(view, flown))
     dress(axes, view)
+    draw_strips(figure, world, records, PATH_COLOURS)
     return figure
+
+
+def _label(record: FlightRecord) -> str:
+    name = record_title(record)
+    if record.outcome is not Outcome.REACHED:
+        return f"{name}:  {record.outcome.value.replace('_', ' ')}"
+    return f"{name}:  P = {record.mean_priority:.2f},  L/L_GP = {record.length_ratio:.2f}"
 
 
 def _draw_city(axes: "Axes", world: World) -> None:

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The figures: written whole, showing what they say, with the attribution of their world."""
 
+import dataclasses
 from pathlib import Path
 
 import numpy as np
@@ -14,8 +15,15 @@ from matplotlib.text import Text
 from ltp._core import HeightSurface, PenaltyWeights, Raster
 from ltp.config import MissionConfig
 from ltp.evaluation.campaign.variants import at_ratio, sweep
-from ltp.evaluation.figures.backdrop import quiet_corner, save_figure, view_round
+from ltp.evaluation.figures.backdrop import (
+    make_page,
+    nested_widths,
+    quiet_corner,
+    save_figure,
+    view_round,
+)
 from ltp.evaluation.figures.flights import flown_paths_figure, global_paths_figure, sweep_figure
+from ltp.evaluation.figures.headline import headline, record_title
 from ltp.evaluation.figures.sensing import sensing_figure
 from ltp.evaluation.figures.summary import summary_figure
 from ltp.evaluation.figures.traps import trap_figure
@@ -23,7 +31,8 @@ from ltp.evaluation.scenarios import ScenarioOptions, make_scenarios
 from ltp.evaluation.sensed import CellMap, SensedTrace, SnapshotTaker
 from ltp.sim import fly
 from ltp.sim.mission import Mission
-from tests.python.scenes import ATTRIBUTION, row, town
+from ltp.sim.record import Outcome
+from tests.python.scenes import ATTRIBUTION, event, row, town
 
 OPTIONS = ScenarioOptions(count=3, length=120.0, spacing=40.0, altitude=30.0, margin=10.0)
 
@@ -202,3 +211,53 @@ def test_the_operating_points_of_the_paper_are_in_the_sweep() -> None:
     assert {0.0, 2.0, 5.0} <= {variant.ratio for variant in sweep()}
     with pytest.raises(ValueError, match="ratio"):
         at_ratio(-1.0)
+
+
+def test_the_headline_says_what_happened(flown) -> None:
+    record, _, _, setup = flown
+    world = setup.world
+
+    def said(*changes: dict) -> str:
+        return headline(world, [dataclasses.replace(record, **change) for change in changes])
+
+    hit = {"outcome": Outcome.COLLIDED, "collision": (1.0, 2.0, 3.0)}
+    late = {"outcome": Outcome.TIMED_OUT}
+    record = dataclasses.replace(record, waypoints=[])
+    assert said({}) == "Round the buildings on the global path"
+    assert said(hit).startswith("The flight hits an obstacle after")
+    assert said({}, hit).startswith(f"{record_title(record)} hits an obstacle after")
+    assert said(hit, late, hit) == "2 of 3 flights: each hits an obstacle"
+    assert said(late, {}).startswith(f"{record_title(record)} runs out of time, ")
+    drops = [event(i, "dropped", "unreachable") for i in range(len(record.global_path) - 1)]
+    assert said({"waypoints": drops[:1]}).endswith(f"; 1 of {len(drops)} waypoints out of reach")
+    assert said({"waypoints": drops}) == "No waypoint could be reached"
+    over = record.global_path + np.array([0.0, 0.0, 100.0])
+    assert said({"global_path": over}) == "Flown to the end"
+
+
+def test_each_flight_has_an_altitude_profile_and_a_line_that_is_seen(flown) -> None:
+    record, _, trace, setup = flown
+    twice = dataclasses.replace(record, collision=(1.0, 2.0, 3.0), outcome=Outcome.COLLIDED)
+    figure = summary_figure(setup.world, [record, twice], trace)
+    map_axes, *strips = figure.axes
+    assert len(strips) == 2
+    for axes, flight in zip(strips, [record, twice], strict=True):
+        way, z = axes.lines[0].get_data()
+        np.testing.assert_array_equal(z, flight.positions[:, 2])
+        assert way[-1] == pytest.approx(record.length, rel=1e-6)
+    assert len(strips[1].lines) == 2  # and where it hit
+    # The two coincide: the lower one is the wider.
+    lines = [line for line in map_axes.lines if len(line.get_xdata()) == len(record.positions)]
+    assert lines[0].get_linewidth() > lines[1].get_linewidth()
+    assert "reaches the flight altitude, 30 m" in texts(figure)
+    assert nested_widths([record.positions, record.positions + 50.0], 2.0) == [2.0, 2.0]
+
+
+def test_no_caption_is_cut_off() -> None:
+    world = dataclasses.replace(town(), attribution="Data of many owners, " * 20)
+    figure, _ = make_page(
+        world, 1, "A headline that says more than it should " * 5, "and so on" * 30
+    )
+    figure.canvas.draw()
+    edge = figure.get_window_extent().x1
+    assert all(text.get_window_extent().x1 <= edge for text in figure.texts)

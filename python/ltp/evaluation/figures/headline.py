@@ -1,0 +1,47 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The headline of a picture of flights: what happened, the bad first."""
+
+from collections.abc import Sequence
+
+from ltp._core import HeightSurface
+from ltp.sim.record import FlightRecord, Outcome
+from ltp.world import World
+
+from ..contenders import Contender
+
+
+def headline(world: World, records: Sequence[FlightRecord]) -> str:
+    """What became of flights along one global path, in a sentence."""
+    for outcome, what in _BAD.items():
+        bad = [record for record in records if record.outcome is outcome]
+        if not bad:
+            continue
+        if len(records) == 1:
+            return f"The flight {what}{_where(bad[0])}"
+        if len(bad) == 1:
+            return f"{record_title(bad[0])} {what}{_where(bad[0])}"
+        return f"{len(bad)} of {len(records)} flights: each {what}"
+    drops = max(len(record.dropped) for record in records)
+    count = len(records[0].global_path) - 1
+    if drops == count:
+        return "No waypoint could be reached"
+    crosses = HeightSurface(world.surface_raster()).first_collision(records[0].global_path)
+    way = "Flown to the end" if crosses is None else "Round the buildings on the global path"
+    return way + (f"; {drops} of {count} waypoints out of reach" if drops else "")
+
+
+def record_title(record: FlightRecord) -> str:
+    """Who flew, for labels."""
+    options = record.config.planner_options
+    return Contender.of(record.config.planner, options.refine).title
+
+
+def _where(record: FlightRecord) -> str:
+    if record.outcome is Outcome.COLLIDED:
+        return f" after {record.length:.0f} m, {record.duration:.0f} s"
+    return f", {record.length:.0f} m flown in {record.duration:.0f} s"
+
+
+#: What is bad, the worst first, and how it is said.
+_BAD = {Outcome.COLLIDED: "hits an obstacle", Outcome.TIMED_OUT: "runs out of time"}
