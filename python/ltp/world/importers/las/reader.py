@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ltp.world.classes import LandClass
+from ltp.world.crs import crs_name, metric_crs
 from ltp.world.world import Datum, World
 
 from ..fill import fill_linear, grow, wide_gaps
 from ..limits import OBJECT_HEIGHT
-from ..metric_crs import crs_name, metric_crs
 from ..optional import require
 from .header import check_complete
 from .layers import Bounds, Lattice, Layers

@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 
 from ltp.world.archive import MAX_CELLS
 from ltp.world.classes import LandClass
+from ltp.world.crs import crs_name, metric_crs
 from ltp.world.world import Datum, World
 
-from ..metric_crs import crs_name, metric_crs
 from ..optional import require
 from . import tags
 from .buildings import blocks
