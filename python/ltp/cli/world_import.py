@@ -16,6 +16,10 @@ Attribution = Annotated[
     str, typer.Option(help="Line that must stand beside every picture of this data.")
 ]
 Vertical = Annotated[str, typer.Option(help="Name of the height datum.")]
+ConvertHeights = Annotated[
+    bool,
+    typer.Option("--convert-heights", help="Scale heights that are said to be in feet to metres."),
+]
 Box = tuple[float, float, float, float]
 BOUNDS = typer.Option(help="Piece to import: x_min y_min x_max y_max in the CRS [m].")
 
@@ -83,6 +87,7 @@ def import_las(
     crs: Annotated[
         str | None, typer.Option(help="CRS of the survey, where the file does not say.")
     ] = None,
+    convert_heights: ConvertHeights = False,
     name: Name = "",
     attribution: Attribution = "",
     vertical: Vertical = "as in the survey",
@@ -90,13 +95,14 @@ def import_las(
     """Import a classified airborne laser survey."""
     from ltp.world.importers import las
 
-    with naming("cell", "bounds", "max_gap", "crs"):
+    with naming("cell", "bounds", "max_gap", "crs", "convert_heights"):
         world = las.read(
             file,
             cell=cell,
             bounds=bounds,
             max_gap=max_gap,
             crs=crs,
+            convert_heights=convert_heights,
             name=name,
             attribution=attribution,
             vertical=vertical,

@@ -103,27 +103,28 @@ def metric_crs(crs: Any, source: str, bounds: Box | None = None) -> Any:
     """
     known = any_crs(crs, source)
     flat = horizontal(known)
-    cure = f"; reproject it first, to {_cure(flat, bounds)}"
-    if flat.is_geographic:
-        raise ValueError(
-            f"{source} must be a projected CRS in metres, not in degrees ({known.name}){cure}"
-        )
-    if not flat.is_projected:
+    if not (flat.is_projected or flat.is_geographic):
         raise ValueError(
             f"{source} must be a projected CRS in metres, not {known.name} ({known.type_name})"
         )
+    flaw = _flaw(flat, known.name)
+    if flaw is not None:
+        raise ValueError(f"{source} must be {flaw}; reproject it first, to {_cure(flat, bounds)}")
+    return flat
+
+
+def _flaw(flat: Any, name: str) -> str | None:
+    """Why a projected or geographic CRS is no metric map: what it must be, "not" what it is."""
+    if flat.is_geographic:
+        return f"a projected CRS in metres, not in degrees ({name})"
     for axis in flat.axis_info:
         unit = Unit(axis.unit_name, axis.unit_conversion_factor)
         if not unit.is_metre:
-            raise ValueError(
-                f"{source} must be a projected CRS in metres, not {known.name} in {unit}{cure}"
-            )
-    if "west" in {axis.direction.lower() for axis in flat.axis_info}:
-        raise ValueError(
-            f"{source} must be a CRS whose axes go east and north, those of {known.name} go "
-            f"{' and '.join(axis.direction for axis in flat.axis_info)}{cure}"
-        )
-    return flat
+            return f"a projected CRS in metres, not {name} in {unit}"
+    directions = [axis.direction.lower() for axis in flat.axis_info]
+    if "west" in directions:
+        return f"a CRS whose axes go east and north, not {' and '.join(directions)} as in {name}"
+    return None
 
 
 def crs_name(crs: Any) -> str:
@@ -196,6 +197,20 @@ def check_scale(crs: Any, bounds: Box, source: str) -> float:
             f"{MAX_SCALE_ERROR:.0%} off; use {_cure(crs, bounds)}"
         )
     return abs(worst - 1.0)
+
+
+def crs_report(crs: Any | None, deviation: float | None, where: str) -> str:
+    """The sentence of an import about its CRS.
+
+    Args:
+        crs: the horizontal CRS, a pyproj CRS; None if nobody names one.
+        deviation: from `check_scale`.
+        where: what names it.
+    """
+    if crs is None:
+        return "CRS: none is named; x and y are taken for metres, east and north"
+    scale = "" if deviation is None else f"; a metre of it is one on the ground to {deviation:.2%}"
+    return f"CRS: {crs_name(crs)[:60]} ({crs.name}), in metres, {where}{scale}"
 
 
 def _cure(crs: Any, bounds: Box | None) -> str:

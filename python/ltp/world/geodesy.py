@@ -72,6 +72,7 @@ def scales(crs: Any, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[
     return np.asarray(1.0 / ground[:, ::-1], dtype=np.float64)
 
 
+@lru_cache(maxsize=64)
 def utm_zone(lon: float, lat: float) -> str:
     """Short code of the metric CRS of that place [degrees]: its UTM zone, or UPS at the poles."""
     pyproj = require("pyproj", PURPOSE)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import IO
 
 from .chunks import LaszipRecord, check_chunks
+from .records import walk
 
 # LAS 1.4 R15, table 3.
 _HEADER_BYTES = {(1, 0): 227, (1, 1): 227, (1, 2): 227, (1, 3): 235, (1, 4): 375}
@@ -60,7 +61,10 @@ def _check(file: IO[bytes], size: int) -> None:
         raise ValueError(f"coordinates in steps of {steps} are out of the question")
     if not all(abs(offset) <= _FARTHEST for offset in origin):
         raise ValueError(f"coordinates from {origin} on are out of the question")
-    laszip = _check_records(file, header_bytes, n_records, data_start)
+    laszip = None
+    for found in walk(file, header_bytes, n_records, data_start):
+        if (found.user, found.number) == (_LASZIP_USER, _LASZIP_RECORD):
+            laszip = found.read(file)
     if n_points == 0:
         raise ValueError("holds no points")
     room = size - data_start
@@ -71,19 +75,3 @@ def _check(file: IO[bytes], size: int) -> None:
             raise ValueError("compressed points without a LASzip record")
         record = LaszipRecord.parse(laszip, point_bytes)
         check_chunks(file, record, data_start, n_points, point_bytes, size)
-
-
-def _check_records(file: IO[bytes], start: int, n_records: int, end: int) -> bytes | None:
-    """Walk the variable-length records; return the LASzip one, if any."""
-    laszip = None
-    position = start
-    for _ in range(n_records):
-        file.seek(position)
-        head = file.read(_VLR_BYTES)
-        user, record, length = head[2:18].rstrip(b"\0"), *struct.unpack_from("<HH", head, 18)
-        if position + _VLR_BYTES + length > end:
-            raise EOFError(f"a record of {length} B at {position} runs into the points at {end}")
-        if (user, record) == (_LASZIP_USER, _LASZIP_RECORD):
-            laszip = file.read(length)
-        position += _VLR_BYTES + length
-    return laszip

@@ -35,6 +35,15 @@ class Lattice:
     ymin: float
     cell: float
     shape: tuple[int, int]
+    slack: float = 0.0  # a return may lie this far outside: its coordinates were rounded [m]
+
+    def index(self, coordinate: NDArray[np.float64], axis: int) -> NDArray[np.float64]:
+        """The cell along `axis` of each coordinate, as a whole number; the rim has `slack`."""
+        start, n = (self.xmin, self.ymin)[axis], self.shape[axis]
+        at = (coordinate - start) / self.cell
+        slack = self.slack / self.cell
+        at = np.where((at < 0.0) & (at >= -slack), 0.0, at)
+        return np.floor(np.where((at >= n) & (at <= n + slack), n - 1.0, at))
 
     @staticmethod
     def around(path: Path, header: Any, cell: float, bounds: Bounds | None) -> "Lattice":
@@ -65,14 +74,17 @@ class Lattice:
                 f"{source} needs {nx} x {ny} cells of {cell:g} m, more than {most:,} for "
                 f"{n_points:,} returns"
             )
-        return Lattice(i0 * cell, j0 * cell, cell, (nx, ny))
+        # Some writers took the extent before they rounded the returns, by up to half a step.
+        slack = 0.0 if bounds is not None else float(max(header.scales[:2]))
+        return Lattice(i0 * cell, j0 * cell, cell, (nx, ny), slack)
 
 
 class Layers:
     """What the returns of a survey say about each cell, gathered chunk by chunk."""
 
-    def __init__(self, lattice: Lattice) -> None:
+    def __init__(self, lattice: Lattice, height_unit: float = 1.0) -> None:
         self.lattice = lattice
+        self._height_unit = height_unit  # [m]
         n = lattice.shape[0] * lattice.shape[1]
         self._sum, self._count = np.zeros(n), np.zeros(n)
         self._seen = np.zeros(n, dtype=bool)
@@ -83,11 +95,12 @@ class Layers:
         """Take in one chunk of returns; those outside the lattice only if it was cut out."""
         lattice = self.lattice
         x, y, z = (np.asarray(axis) for axis in (points.x, points.y, points.z))
+        z = z * self._height_unit
         kind = np.asarray(points.classification)
         keep = ~np.isin(kind, _DROPPED) & ~np.asarray(points.withheld, dtype=bool)
         keep &= (z >= HEIGHTS[0]) & (z <= HEIGHTS[1])
-        i = np.floor((x - lattice.xmin) / lattice.cell)
-        j = np.floor((y - lattice.ymin) / lattice.cell)
+        i = lattice.index(x, 0)
+        j = lattice.index(y, 1)
         inside = (i >= 0) & (i < lattice.shape[0]) & (j >= 0) & (j < lattice.shape[1])
         if not cropped and not inside[keep].all():
             where = np.flatnonzero(keep & ~inside)[0]

@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ltp.world.classes import LandClass
-from ltp.world.crs import crs_name, metric_crs
 from ltp.world.world import Datum, World
 
 from ..fill import fill_linear, grow, wide_gaps
 from ..limits import OBJECT_HEIGHT
 from ..optional import require
+from .frame import survey_frame
 from .header import check_complete
 from .layers import Bounds, Lattice, Layers
 
@@ -34,6 +34,7 @@ def read(
     bounds: Bounds | None = None,
     max_gap: float = 8.0,
     crs: str | None = None,
+    convert_heights: bool = False,
     name: str = "",
     attribution: str = "",
     vertical: str = "as in the survey",
@@ -48,6 +49,8 @@ def read(
         max_gap: gaps without any return that are wider than this are most likely water:
             interpolated, but UNKNOWN, so that nobody lands there [m].
         crs: the CRS, where the file does not say.
+        convert_heights: scale heights that the file says are in feet, or another unit, to metres;
+            else it is refused.
         name: name of the world; default: the file name.
         attribution: the line that must stand beside every picture.
         vertical: name of the height datum.
@@ -74,7 +77,8 @@ def read(
     require("lazrs", "reading LAS and LAZ")
     header, chunks = _open(laspy, path)
     lattice = Lattice.around(path, header, cell, bounds)
-    layers = Layers(lattice)
+    frame = survey_frame(path, header, crs=crs, bounds=bounds, convert_heights=convert_heights)
+    layers = Layers(lattice, frame.heights.metres)
     for chunk in chunks:
         layers.add(path, chunk, cropped=bounds is not None)
     if np.isnan(layers.ground()).all():
@@ -87,8 +91,9 @@ def read(
         surface=surface,
         classes=classes,
         cell=cell,
-        datum=Datum(_crs(path, header, crs), lattice.xmin, lattice.ymin, vertical),
+        datum=Datum(frame.crs, lattice.xmin, lattice.ymin, vertical),
         attribution=attribution,
+        report=frame.report,
     )
 
 
@@ -148,14 +153,3 @@ def _chunks(path: Path, reader: Any) -> Iterator[Any]:
 
 def _unsound(path: Path, error: BaseException) -> ValueError:
     return ValueError(f"{path} cannot be read as LAS or LAZ: {error}")
-
-
-def _crs(path: Path, header: Any, given: str | None) -> str | None:
-    if given is not None:
-        return crs_name(metric_crs(given, "crs"))
-    pyproj = require("pyproj", "working with map coordinates")
-    try:
-        found = header.parse_crs()
-    except pyproj.exceptions.CRSError as error:
-        raise ValueError(f"{path} has a CRS that nobody knows: {error}; give crs") from error
-    return None if found is None else crs_name(metric_crs(found, f"the CRS of {path}"))

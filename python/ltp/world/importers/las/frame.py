@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: 2026 The ltp authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The frame of a survey: its CRS, held against where its points lie, and its unit of height."""
+
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from ltp.world.crs import (
+    Box,
+    any_crs,
+    check_scale,
+    crs_name,
+    crs_report,
+    height_unit,
+    metric_crs,
+    refuse_degrees,
+    same_grid,
+)
+
+from ..heights import HeightScale, Says, height_scale
+from .declared import Declared, declared_crs
+
+_FINE_STEP = 1e-6  # coordinates in such steps are degrees: 0.1 m of them, or a micrometre
+
+
+class Frame(NamedTuple):
+    """What the coordinates of a survey mean."""
+
+    crs: str | None  # short name
+    heights: HeightScale
+    report: tuple[str, ...]
+
+
+def survey_frame(
+    path: Path, header: Any, *, crs: str | None, bounds: Box | None, convert_heights: bool
+) -> Frame:
+    """Find the frame of a survey; `header` is laspy's, the rest are arguments of `read`.
+
+    Raises:
+        ValueError: naming the file or the argument, if x and y are not in metres that are true
+            there, heights are in another unit and `convert_heights` is not set, or `bounds` lie
+            outside of the survey.
+    """
+    box = (
+        float(header.mins[0]),
+        float(header.mins[1]),
+        float(header.maxs[0]),
+        float(header.maxs[1]),
+    )
+    step = float(max(header.scales[:2]))
+    told = _told(path, crs)
+    flat = None
+    if told.crs is not None:
+        flat = metric_crs(told.crs, "crs" if crs else f"the CRS of {path}", box)
+    if told.plan is not None and not told.plan.unit.is_metre:
+        raise ValueError(
+            f"{path} must have x and y in metres, not in {told.plan.unit}, as "
+            f"{told.plan.where} says; reproject it first"
+        )
+    refuse_degrees(box, str(path), _FINE_STEP if step <= _FINE_STEP else None)
+    if bounds is not None:
+        refuse_degrees(bounds, "bounds", crs=flat)
+        _refuse_outside(path, box, bounds, flat)
+    deviation = None if flat is None else check_scale(flat, bounds or box, str(path))
+    heights = height_scale(path, told.heights, convert_heights)
+    report = (crs_report(flat, deviation, told.where), heights.report)
+    return Frame(None if flat is None else crs_name(flat), heights, report)
+
+
+def _told(path: Path, crs: str | None) -> Declared:
+    """What the caller says, or else the file."""
+    if crs is None:
+        return declared_crs(path)
+    given = any_crs(crs, "crs")
+    unit = height_unit(given)
+    heights = [] if unit is None else [Says("crs", unit)]
+    try:
+        told = declared_crs(path)
+    except ValueError:  # therefore crs was given
+        return Declared(given, "as given", None, heights)
+    where = "as given"
+    if told.crs is not None and not same_grid(told.crs, given):
+        where = f"as given; {told.where} say {crs_name(told.crs)[:60]}"
+    return Declared(given, where, told.plan, heights or told.heights)
+
+
+def _refuse_outside(path: Path, box: Box, bounds: Box, crs: Any) -> None:
+    if bounds[0] < box[2] and box[0] < bounds[2] and bounds[1] < box[3] and box[1] < bounds[3]:
+        return
+    name = "its coordinates" if crs is None else crs_name(crs)[:40]
+    raise ValueError(
+        f"bounds {_text(bounds)} lie outside of {path}, which covers {_text(box)} in {name}"
+    )
+
+
+def _text(box: Box) -> str:
+    return f"({', '.join(f'{value:.10g}' for value in box)})"
