@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ltp.world import LandClass
 from ltp.world.importers import geotiff
+from ltp.world.landable import landable_mask
 
 rasterio = pytest.importorskip("rasterio")
 
@@ -118,8 +119,11 @@ def test_without_classes_what_is_high_is_a_building(write: Write) -> None:
     world = geotiff.read(
         dsm=write("dsm.tif", dsm), dem=write("dem.tif", _flat()), canopy=write("c.tif", canopy)
     )
-    expected = [LandClass.BUILDING, LandClass.GROUND, LandClass.TREES]
+    expected = [LandClass.BUILDING, LandClass.UNKNOWN, LandClass.TREES]
     assert list(world.classes[:3, -1]) == expected
+    # Open ground may be water: nobody lands there, and the report says what to do.
+    assert not landable_mask(world, "wide").any()
+    assert any("--classes" in line and "UNKNOWN" in line for line in world.report)
 
 
 @pytest.mark.parametrize("hole", [-9999.0, np.nan, -3.4028234663852886e38, 1e9])
@@ -130,7 +134,12 @@ def test_holes_are_filled_and_unknown(write: Write, hole: float, tagged: bool) -
     dsm += dem + 1.0
     dem[4, 5] = dsm[6, 7] = hole
     nodata = {"nodata": np.float32(hole)} if tagged else {}
-    world = geotiff.read(dsm=write("dsm.tif", dsm, **nodata), dem=write("dem.tif", dem, **nodata))
+    world = geotiff.read(
+        dsm=write("dsm.tif", dsm, **nodata),
+        dem=write("dem.tif", dem, **nodata),
+        classes=write("codes.tif", np.ones((NY, NX), dtype=np.uint8)),
+        class_table={1: "grass"},
+    )
     assert world.ground[5, NY - 1 - 4] == pytest.approx(5.0)
     assert world.surface[7, NY - 1 - 6] == pytest.approx(8.0)
     unknown = np.argwhere(world.classes == LandClass.UNKNOWN)

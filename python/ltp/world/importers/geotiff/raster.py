@@ -15,6 +15,7 @@ from ltp.world.archive import MAX_CELLS
 
 from ..optional import require
 from .layout import check_complete
+from .masks import has_alpha, read_band
 
 PathLike = str | os.PathLike[str]
 
@@ -57,7 +58,11 @@ class TiffRaster:
     path: Path
     grid: Grid
     values: NDArray[Any]  # (nx, ny), axis 0 = east, axis 1 = north
-    missing: NDArray[np.bool_]  # (nx, ny)
+    missing: NDArray[np.bool_]  # (nx, ny) no-data tag, mask or alpha band says: nothing here
+    scale: float = 1.0  # a value is a stored number times this
+    offset: float = 0.0  # plus this
+    largest: float | None = None  # largest number that an integer type of the file can store
+    report: tuple[str, ...] = ()  # what lay beside or inside the file and was read, or was not
 
 
 def read_raster(path: PathLike, like: TiffRaster | None = None) -> TiffRaster:
@@ -74,7 +79,7 @@ def read_raster(path: PathLike, like: TiffRaster | None = None) -> TiffRaster:
     if not path.is_file():  # also keeps GDAL from taking the name for a URL or a virtual path
         raise FileNotFoundError(f"{path} is not a file")
     check_complete(path)
-    # Only the file itself: sidecars beside it could change the grid or the no-data value.
+    # Only the file itself: sidecars beside it could change the grid; a mask is read by name.
     options = {"GDAL_DISABLE_READDIR_ON_OPEN": "EMPTY_DIR", "GDAL_PAM_ENABLED": "NO"}
     try:
         with warnings.catch_warnings(), rasterio.Env(**options):
@@ -88,16 +93,19 @@ def read_raster(path: PathLike, like: TiffRaster | None = None) -> TiffRaster:
                         f"{path} lies on another grid than {like.path}: {grid}, "
                         f"expected {like.grid}"
                     )
-                band = dataset.read(1, masked=True)
+                stored, missing, report = read_band(path, dataset)
                 scale, offset = dataset.scales[0], dataset.offsets[0]
     except (rasterio.errors.RasterioError, rasterio.errors.CRSError, MemoryError) as error:
         raise ValueError(f"{path} cannot be read as a GeoTIFF: {error}") from error
-    values, missing = np.asarray(band.data), np.ma.getmaskarray(band)
+    values = stored
     if (scale, offset) != (1.0, 0.0):
         values = values * scale + offset
     # Image order is [row, column]; the first row of a north-up raster is the northernmost.
     turn = slice(None) if rows_go_north else slice(None, None, -1)
-    return TiffRaster(path, grid, values[turn].T, missing[turn].T)
+    largest = float(np.iinfo(stored.dtype).max) if stored.dtype.kind in "iu" else None
+    return TiffRaster(
+        path, grid, values[turn].T, missing[turn].T, scale, offset, largest, tuple(report)
+    )
 
 
 def _grid(path: Path, dataset: Any) -> tuple[Grid, bool]:
@@ -110,7 +118,7 @@ def _grid(path: Path, dataset: Any) -> tuple[Grid, bool]:
         raise ValueError(
             f"{path} declares {nx} x {ny} cells, which its {path.stat().st_size} bytes do not hold"
         )
-    if dataset.count != 1:
+    if dataset.count != 1 and not has_alpha(dataset):
         raise ValueError(f"{path} must have one band, it has {dataset.count}")
     if np.dtype(dataset.dtypes[0]).kind not in "iuf":
         raise ValueError(f"{path} must hold numbers, not {dataset.dtypes[0]}")

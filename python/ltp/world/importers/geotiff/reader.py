@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from ltp.world.classes import LandClass
 from ltp.world.world import Datum, World
 
-from ..fill import fill_linear
-from ..limits import HEIGHTS, OBJECT_HEIGHT
+from ..limits import OBJECT_HEIGHT
+from . import holes
 from .coarsen import coarsen
 from .raster import PathLike, TiffRaster, read_raster
 
@@ -47,7 +47,9 @@ def read(
     Returns:
         A world whose surface is the highest of `dsm`, `dem` + `canopy` and `dem`. Crowns above 2 m
         are TREES unless over a BUILDING. Without `classes`, what stands above 2 m is a BUILDING
-        and the rest GROUND. Cells without a height in `dsm` or `dem` are interpolated and UNKNOWN.
+        and the rest UNKNOWN, as it may be water. Cells without a height in `dsm` or `dem`, and
+        blocks of a fill value whose no-data tag was lost (`fills`), are interpolated and UNKNOWN;
+        `report` says how many and why.
 
     Raises:
         ImportError: if rasterio is not installed.
@@ -57,54 +59,57 @@ def read(
     table = _check_table(class_table, classes)
     surface_model = read_raster(dsm)
     terrain = read_raster(dem, like=surface_model)
-    ground, no_ground = _heights(terrain)
-    top, no_top = _heights(surface_model)
-    crowns = np.zeros_like(ground)
+    ground = holes.terrain(terrain)
+    top = holes.surface(surface_model, ground)
+    report = [*surface_model.report, *terrain.report, *top.report, *ground.report]
+    crowns = np.zeros_like(ground.heights)
+    no_canopy = np.zeros(crowns.shape, dtype=bool)
     if canopy is not None:
         raster = read_raster(canopy, like=surface_model)
-        values = _mask_absurd(raster)
-        crowns = np.where(np.isnan(values), 0.0, values)
+        layer = holes.canopy(raster)
+        crowns, no_canopy = layer.heights, layer.unknown
+        report += [*raster.report, *layer.report]
 
-    surface = np.maximum(np.maximum(top, ground + crowns), ground)
+    surface = np.maximum(np.maximum(top.heights, ground.heights + crowns), ground.heights)
     if classes is not None:
-        kinds = _translate(read_raster(classes, like=surface_model), table)
+        codes = read_raster(classes, like=surface_model)
+        kinds, told = _translate(codes, table)
+        report += [*codes.report, *told]
     else:
-        built = top - ground > OBJECT_HEIGHT
-        kinds = np.where(built, LandClass.BUILDING, LandClass.GROUND).astype(np.uint8)
+        built = top.heights - ground.heights > OBJECT_HEIGHT
+        kinds = np.where(built, LandClass.BUILDING, LandClass.UNKNOWN).astype(np.uint8)
+        report.append(
+            f"no land classes were given (classes, --classes): what stands above {OBJECT_HEIGHT:g} "
+            "m is BUILDING, all open ground is UNKNOWN, as it may be water, and nobody lands there"
+        )
+    kinds[no_canopy & (kinds != LandClass.BUILDING)] = LandClass.UNKNOWN
     kinds[(crowns > OBJECT_HEIGHT) & (kinds != LandClass.BUILDING)] = LandClass.TREES
-    kinds[no_ground | no_top] = LandClass.UNKNOWN
+    unknown = ground.unknown | top.unknown
+    kinds[unknown] = LandClass.UNKNOWN
+    if unknown.any():
+        report.append(
+            f"holes: {np.count_nonzero(unknown):,} of {unknown.size:,} cells "
+            f"({100.0 * unknown.mean():.2g} %) have no sure height in dsm or dem; they are "
+            "UNKNOWN, with heights interpolated from around, and nobody lands there"
+        )
 
     grid = surface_model.grid
     factor = _factor(cell, grid.cell)
+    ground_heights = ground.heights
     if factor > 1:
-        ground, surface, kinds = coarsen(ground, surface, kinds, factor)
+        ground_heights, surface, kinds = coarsen(
+            ground_heights, surface, kinds, factor, unknown | no_canopy
+        )
     return World(
         name=name or Path(dsm).stem,
-        ground=ground,
+        ground=ground_heights,
         surface=surface,
         classes=kinds,
         cell=grid.cell * factor,
         datum=Datum(grid.crs, grid.xmin, grid.ymin, vertical),
         attribution=attribution,
+        report=tuple(report),
     )
-
-
-def _mask_absurd(raster: TiffRaster) -> NDArray[np.float64]:
-    """Heights as float64, NaN where the raster has none."""
-    with np.errstate(invalid="ignore"):  # of numbers that are none
-        values = raster.values.astype(np.float64)
-        bad = raster.missing | ~((values >= HEIGHTS[0]) & (values <= HEIGHTS[1]))
-    values[bad] = np.nan
-    return values
-
-
-def _heights(raster: TiffRaster) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """Heights without holes, and where the holes were."""
-    values = _mask_absurd(raster)
-    missing = np.isnan(values)
-    if missing.all():
-        raise ValueError(f"{raster.path} holds no height in {HEIGHTS[0]:g}...{HEIGHTS[1]:g} m")
-    return fill_linear(values), missing
 
 
 def _check_table(table: ClassTable | None, classes: PathLike | None) -> dict[int, LandClass]:
@@ -126,9 +131,13 @@ def land_class(kind: LandClass | str | int) -> LandClass:
         raise ValueError(f"class must be one of {names}, not {kind!r}") from None
 
 
-def _translate(raster: TiffRaster, table: Mapping[int, LandClass]) -> NDArray[np.uint8]:
+def _translate(
+    raster: TiffRaster, table: Mapping[int, LandClass]
+) -> tuple[NDArray[np.uint8], list[str]]:
+    """The class of each cell, and a sentence for each code."""
     kinds = np.full(raster.values.shape, LandClass.UNKNOWN, dtype=np.uint8)
     present = ~raster.missing & np.isfinite(raster.values)
+    report = []
     codes, counts = np.unique(raster.values[present], return_counts=True)
     for code, count in zip(codes, counts, strict=True):
         if code not in table:
@@ -136,8 +145,13 @@ def _translate(raster: TiffRaster, table: Mapping[int, LandClass]) -> NDArray[np
                 f"{raster.path} holds code {code:g} in {count} cells, class_table names only "
                 f"{sorted(table)}; add {code:g}=unknown, or what it means"
             )
-        kinds[present & (raster.values == code)] = table[int(code)]
-    return kinds
+        kind = table[int(code)]
+        kinds[present & (raster.values == code)] = kind
+        report.append(f"{raster.path.name}: code {code:g} is {kind.name}: {count:,} cells")
+    if not present.all():
+        n = np.count_nonzero(~present)
+        report.append(f"{raster.path.name}: {n:,} cells without a code are UNKNOWN")
+    return kinds, report
 
 
 def _factor(cell: float | None, native: float) -> int:
