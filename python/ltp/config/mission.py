@@ -23,7 +23,7 @@ from ltp._core import (
     planner_info,
 )
 from ltp.config.moved import MOVED, warn_of, with_new_names
-from ltp.config.tables import assign, field_names, plain, toml_lines
+from ltp.config.tables import assign, field_names, plain, read_toml, toml_lines
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ class MissionConfig:
     def from_toml(cls, text: str) -> Self:
         """Read a TOML document; unknown keys are refused."""
         try:
-            return cls.from_dict(tomllib.loads(text))
+            return cls.from_dict(read_toml(text))
         except tomllib.TOMLDecodeError as error:
             raise ValueError(f"not a TOML document: {error}") from error
 

@@ -3,7 +3,11 @@
 """Settings as nested dictionaries of plain values and as TOML, field by field."""
 
 import dataclasses
+import tomllib
 from typing import Any
+
+_MAX_TEXT = 100_000  # characters of a document; all settings with comments are some 5,000
+_MAX_DOTS = 200  # in a line: of keys and of numbers
 
 
 def field_names(holder: object) -> tuple[str, ...]:
@@ -58,6 +62,23 @@ def assign(holder: Any, values: dict[str, Any], prefix: str = "") -> None:
         except TypeError as error:
             expected = type(current).__name__
             raise ValueError(f"{key} = {value!r}: expected {expected}") from error
+
+
+def read_toml(text: str) -> dict[str, Any]:
+    """The settings in a TOML document.
+
+    Raises:
+        ValueError: if it is none, or is longer or nested more deeply than settings are.
+    """
+    # The parser's time grows with the square of a key's parts.
+    if len(text) > _MAX_TEXT or any(
+        line.partition("#")[0].count(".") > _MAX_DOTS for line in text.splitlines()
+    ):
+        raise ValueError(f"longer than {_MAX_TEXT} characters, or nested too deeply")
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise ValueError("nested too deeply") from None
 
 
 def toml_lines(values: dict[str, Any], prefix: str = "") -> list[str]:

@@ -106,7 +106,7 @@ class RowJournal(Generic[Row]):
     def _parse(self, number: int, line: bytes) -> dict[str, Any]:
         try:
             values = json.loads(line)
-        except ValueError as error:  # not JSON or not UTF-8
+        except (ValueError, RecursionError) as error:  # not JSON, not UTF-8 or a trap
             raise ValueError(f"{self._path}, line {number} is not JSON: {error}") from error
         if not isinstance(values, dict):
             raise ValueError(f"{self._path}, line {number} is not a JSON object")

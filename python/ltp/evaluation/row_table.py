@@ -111,8 +111,8 @@ class RowTable(Generic[Row]):
             if kind is bool:
                 return {"yes": True, "no": False, True: True, False: False}[value]
             number = kind(value)
-        except (KeyError, TypeError, ValueError):
-            raise ValueError(f"{name}: {value!r} is not a {kind.__name__}") from None
+        except (KeyError, TypeError, ValueError, OverflowError):
+            raise ValueError(f"{name}: {value!r:.80} is not a {kind.__name__}") from None
         if kind is float and math.isnan(number):
             raise ValueError(f"{name}: not a number")
         return number

@@ -6,8 +6,8 @@ import enum
 import json
 import os
 import warnings
-import zipfile
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
@@ -15,10 +15,9 @@ from numpy.typing import NDArray
 
 from ltp._core import PlanRecord, WaypointEvent
 from ltp.config import MissionConfig
-from ltp.config.moved import with_new_names
-from ltp.files import atomic_write
-
-_FORMAT = 2
+from ltp.files import atomic_write, blamed_on
+from ltp.files.typed import typed
+from ltp.sim.record_file import ARRAYS, FORMAT, read_record
 
 
 def _old_name(old: str, name: str) -> property:
@@ -164,7 +163,7 @@ class FlightRecord:
         lengths = [len(plan.path) for plan in self.plans]
         paths = [plan.path for plan in self.plans] or [np.empty((0, 3))]
         header = {
-            "format": _FORMAT,
+            "format": FORMAT,
             "config": self.config.to_dict(),
             "world_name": self.world_name,
             "attribution": self.attribution,
@@ -183,59 +182,36 @@ class FlightRecord:
                 header=np.frombuffer(json.dumps(header).encode(), dtype=np.uint8),
                 plan_paths=np.concatenate(paths),
                 plan_lengths=np.array(lengths, dtype=np.int64),
-                **{name: getattr(self, name) for name in _ARRAYS},
+                **{name: getattr(self, name) for name in ARRAYS},
             )
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Self:
         """Read a record.
 
+        Nothing in the file is executed or trusted: sizes are checked before anything is unpacked.
+
         Raises:
+            OSError: if the file cannot be opened or read.
             ValueError: that names the file and what is wrong with it.
         """
-        try:
-            with np.load(path, allow_pickle=False) as archive:
-                arrays = {name: archive[name] for name in archive.files}
-            header = json.loads(arrays.pop("header").tobytes())
-            version = header.pop("format")
-            if version == 1:
-                _rename_format_1(header, arrays)
-            elif version != _FORMAT:
-                raise ValueError(f"format = {version!r}: expected 1 or {_FORMAT}")
-            ends = np.cumsum(arrays.pop("plan_lengths"))
-            paths = np.split(arrays.pop("plan_paths"), ends[:-1]) if len(ends) else []
-            plans = [
-                PlanEntry(**entry, path=line)
-                for entry, line in zip(header.pop("plans"), paths, strict=True)
-            ]
-            events = [WaypointEntry(**_tuples(event)) for event in header.pop("waypoints")]
-            return cls(
-                config=MissionConfig.from_dict(header.pop("config")),
-                outcome=Outcome(header.pop("outcome")),
-                plans=plans,
-                waypoints=events,
-                **{name: arrays[name] for name in _ARRAYS},
-                **_tuples(header),
+        with Path(path).open("rb") as file, blamed_on(path, "a flight record"):
+            header, arrays, paths = read_record(file)
+            config, plans, waypoints = (
+                header.pop(name) for name in ("config", "plans", "waypoints")
             )
-        except (ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile) as error:
-            raise ValueError(f"{path}: not a flight record: {error}") from error
-
-
-_ARRAYS = ("global_path", "times", "positions", "velocities", "plan_index", "waypoint_index")
-
-
-def _tuples(values: dict[str, Any]) -> dict[str, Any]:
-    return {k: tuple(v) if isinstance(v, list) else v for k, v in values.items()}
+            return cls(
+                config=MissionConfig.from_dict(config),
+                plans=[
+                    PlanEntry(**typed(PlanEntry, plan, without=("path",)), path=path)
+                    for plan, path in zip(plans, paths, strict=True)
+                ],
+                waypoints=[WaypointEntry(**typed(WaypointEntry, entry)) for entry in waypoints],
+                **arrays,
+                **typed(cls, header, without=arrays),
+            )
 
 
 def _point(values: NDArray[np.float64]) -> tuple[float, float, float]:
     x, y, z = (float(value) for value in values)
     return x, y, z
-
-
-def _rename_format_1(header: dict[str, Any], arrays: dict[str, Any]) -> None:
-    """Format 1 said `way_point`, and had the planner's options beside the other settings."""
-    for holder in (header, arrays, *header["plans"]):
-        for name in [name for name in holder if name.startswith("way_point")]:
-            holder[name.replace("way_point", "waypoint")] = holder.pop(name)
-    header["config"] = with_new_names(header["config"])

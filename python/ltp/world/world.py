@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .archive import blamed_on, read_fields, write_fields
+from ltp.files import blamed_on
+
+from .archive import SOUND, read_fields, write_fields
 from .checks import corner, finite, heights, land_classes, positive, sentences, text
 
 if TYPE_CHECKING:
@@ -140,5 +142,5 @@ class World:
             ValueError: naming the file and the culprit, if it is not a sound world file.
         """
         values = read_fields(path)
-        with blamed_on(path):
+        with blamed_on(path, SOUND):
             return World(**{**values, "datum": Datum(**values["datum"])})

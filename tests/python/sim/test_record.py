@@ -100,7 +100,7 @@ def test_a_record_of_format_1_is_read_as_it_was(tmp_path) -> None:
 
 
 def test_a_record_of_a_format_to_come_is_refused(tmp_path, monkeypatch) -> None:
-    monkeypatch.setattr("ltp.sim.record._FORMAT", 3)
+    monkeypatch.setattr("ltp.sim.record.FORMAT", 3)
     make_record().save(tmp_path / "flight.npz")
     monkeypatch.undo()
     with pytest.raises(ValueError, match=r"flight\.npz.*format = 3: expected 1 or 2"):

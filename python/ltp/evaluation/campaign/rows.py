@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ltp.files import blamed_on
+
 from ..contenders import with_current_name
 from ..row_table import RowTable
 from .variants import Variant
@@ -101,7 +103,10 @@ class _FlightTable(RowTable[FlightRow]):
             header = file.readline().decode(errors="replace").strip().split(",")
         if not set(_RENAMED) & set(header):
             return super().read(path)
-        with Path(path).open(newline="", encoding="utf-8") as file:
+        with (
+            blamed_on(path, "a table of flights"),
+            Path(path).open(newline="", encoding="utf-8") as file,
+        ):
             reader = csv.DictReader(file, restkey="beyond the last column")
             return [self._read_line(path, reader.line_num, line) for line in reader]
 

@@ -95,7 +95,12 @@ def read_raster(path: PathLike, like: TiffRaster | None = None) -> TiffRaster:
                     )
                 stored, missing, report = read_band(path, dataset)
                 scale, offset = dataset.scales[0], dataset.offsets[0]
-    except (rasterio.errors.RasterioError, rasterio.errors.CRSError, MemoryError) as error:
+    except (
+        rasterio.errors.RasterioError,
+        rasterio.errors.CRSError,
+        MemoryError,
+        UnicodeDecodeError,  # of a text in the file
+    ) as error:
         raise ValueError(f"{path} cannot be read as a GeoTIFF: {error}") from error
     values = stored
     if (scale, offset) != (1.0, 0.0):
