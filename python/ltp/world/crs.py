@@ -60,8 +60,10 @@ def any_crs(crs: Any, source: str) -> Any:
     """
     pyproj = require("pyproj", PURPOSE)
     try:
-        return pyproj.CRS.from_user_input(crs)
-    except pyproj.exceptions.CRSError as error:
+        known = pyproj.CRS.from_user_input(crs)
+        known.to_json_dict()  # fails where a parameter is no finite number
+        return known
+    except (pyproj.exceptions.CRSError, ValueError) as error:
         raise ValueError(f"{source} must be a known CRS, e.g. EPSG:32618: {error}") from error
 
 

@@ -42,9 +42,9 @@ def test_a_new_a_moved_and_a_lost_file_change_the_digest(copy: Path) -> None:
     (copy / "new.py").write_bytes(b"")
     assert build_digest(copy / "core", copy) != whole
     (copy / "new.py").unlink()
-    (copy / "files.py").rename(copy / "filed.py")
+    (copy / "renamed.py").rename(copy / "renamer.py")
     assert build_digest(copy / "core", copy) != whole
-    (copy / "filed.py").unlink()
+    (copy / "renamer.py").unlink()
     assert build_digest(copy / "core", copy) != whole
 
 
