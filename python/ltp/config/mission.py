@@ -8,7 +8,6 @@ It holds the core's own option objects, so each option is defined once, in C++, 
 import copy
 import dataclasses
 import functools
-import math
 import os
 import tomllib
 from dataclasses import dataclass, field
@@ -23,6 +22,7 @@ from ltp._core import (
     planner_info,
 )
 from ltp.config.moved import MOVED, warn_of, with_new_names
+from ltp.config.ranges import check_ranges, check_window
 from ltp.config.tables import assign, field_names, plain, read_toml, toml_lines
 
 
@@ -35,8 +35,7 @@ class VehicleOptions:
     max_climb: float = 2.0  # largest vertical speed, up or down [m/s]
 
     def __post_init__(self) -> None:
-        for name in ("speed", "max_acceleration", "max_climb"):
-            _positive(f"vehicle.{name}", getattr(self, name))
+        check_ranges(self, "vehicle.")
 
 
 @dataclass
@@ -68,6 +67,8 @@ class MissionConfig:
     def check(self) -> None:
         """Raise `ValueError` that names the first value out of range."""
         self.planner = planner_info(self.planner).name  # an old name becomes the new one
+        check_ranges(self)
+        check_window(self.mapping)
         for part in (self.planner_options, self.lidar, self.mapping, self.navigation):
             part.check()  # the core checks what is its own
         if self.mapping.max_range < self.lidar.max_range:
@@ -77,8 +78,6 @@ class MissionConfig:
             )
         if self.priority_map not in ("binary", "lpf"):
             raise ValueError(f'priority_map = {self.priority_map!r}: expected "binary" or "lpf"')
-        for name in ("fov_deg", "step", "time_limit_factor", "hold_limit"):
-            _positive(name, getattr(self, name))
 
     def to_dict(self) -> dict[str, Any]:
         """All settings as plain values: numbers, strings, lists, nested dictionaries."""
@@ -155,8 +154,3 @@ MissionConfig.__init__ = _init_with_old_names  # type: ignore[method-assign]
 def _set(holder: Any, key: str, value: Any) -> None:
     *tables, name = key.split(".")
     setattr(functools.reduce(getattr, tables, holder), name, value)
-
-
-def _positive(name: str, value: float) -> None:
-    if not (isinstance(value, int | float) and math.isfinite(value) and value > 0):
-        raise ValueError(f"{name} = {value!r}: expected a positive finite number")

@@ -3,7 +3,9 @@
 """Settings as nested dictionaries of plain values and as TOML, field by field."""
 
 import dataclasses
+import difflib
 import tomllib
+from collections.abc import Sequence
 from typing import Any
 
 _MAX_TEXT = 100_000  # characters of a document; all settings with comments are some 5,000
@@ -44,12 +46,12 @@ def assign(holder: Any, values: dict[str, Any], prefix: str = "") -> None:
     for name, value in values.items():
         key = prefix + name
         if name not in known:
-            raise ValueError(f"unknown key {key!r}: expected one of {', '.join(known)}")
+            raise _unknown(key, known)
         current = getattr(holder, name)
         try:
             if field_names(current):
                 if not isinstance(value, dict):
-                    raise ValueError(f"{key} = {value!r}: expected a table")
+                    raise ValueError(f"{key} = {value!r:.80}: expected a table")
                 if dataclasses.is_dataclass(current):  # frozen: checked as a whole
                     _refuse_unknown(current, value, key)
                     value = dataclasses.replace(current, **value)  # type: ignore[type-var]
@@ -57,11 +59,13 @@ def assign(holder: Any, values: dict[str, Any], prefix: str = "") -> None:
                     assign(current, value, key + ".")
                     value = current
             elif any(isinstance(current, t) != isinstance(value, t) for t in (bool, str)):
-                raise ValueError(f"{key} = {value!r}: expected {type(current).__name__}")
+                raise ValueError(f"{key} = {value!r:.80}: expected {type(current).__name__}")
+            elif isinstance(value, list) and any(isinstance(item, bool) for item in value):
+                raise ValueError(f"{key} = {value!r:.80}: expected numbers")
             setattr(holder, name, value)
         except TypeError as error:
             expected = type(current).__name__
-            raise ValueError(f"{key} = {value!r}: expected {expected}") from error
+            raise ValueError(f"{key} = {value!r:.80}: expected {expected}") from error
 
 
 def read_toml(text: str) -> dict[str, Any]:
@@ -93,8 +97,14 @@ def toml_lines(values: dict[str, Any], prefix: str = "") -> list[str]:
 def _refuse_unknown(holder: object, values: dict[str, Any], key: str) -> None:
     for name in values:
         if name not in field_names(holder):
-            known = ", ".join(field_names(holder))
-            raise ValueError(f"unknown key '{key}.{name}': expected one of {known}")
+            raise _unknown(f"{key}.{name}", field_names(holder))
+
+
+def _unknown(key: str, known: Sequence[str]) -> ValueError:
+    name = key.rpartition(".")[2]
+    near = difflib.get_close_matches(name, known, n=1, cutoff=0.6) if len(name) < 100 else []
+    meant = f" (did you mean {near[0]!r}?)" if near else ""
+    return ValueError(f"unknown key {key[:200]!r}{meant}: expected one of {', '.join(known)}")
 
 
 def _toml(value: Any) -> str:
