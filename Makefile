@@ -79,7 +79,7 @@ bench-cpp: build-bench  ## run the C++ benchmarks only (BENCH_ARGS=--benchmark_f
 	$(LTP_BENCH) $(BENCH_ARGS)
 
 .PHONY: wheel
-wheel: $(WHEEL)  ## build dist/ltp-*.whl and check what is in it
+wheel: $(WHEEL)  ## build dist/ltp_uav-*.whl and check what is in it
 	$(BIN)/python .ci/check_wheel.py dist/*.whl
 
 .PHONY: stub
@@ -152,6 +152,8 @@ $(WHEEL): $(VENV)/ready $(SOURCES)
 # version alone, hence the force.
 $(STAMPS)/package: $(WHEEL)
 	@echo "ltp: installing the package into $(VENV)"
+	@# Its name until 0.2.0; both would own the same files.
+	@$(PIP) uninstall --yes ltp
 	@$(PIP) install dist/*.whl
 	@$(PIP) install --force-reinstall --no-deps dist/*.whl
 	@touch $@
@@ -161,7 +163,7 @@ $(STAMPS)/test: EXTRAS := viewer,geo,test
 $(STAMPS)/dev: EXTRAS := viewer,geo,test,dev
 $(STAMPS)/docs: EXTRAS := docs
 $(STAMPS)/viewer $(STAMPS)/test $(STAMPS)/dev $(STAMPS)/docs: $(STAMPS)/package
-	@echo "ltp: installing what ltp[$(EXTRAS)] needs into $(VENV)"
+	@echo "ltp: installing what ltp-uav[$(EXTRAS)] needs into $(VENV)"
 	@$(PIP) install "$$(echo dist/*.whl)[$(EXTRAS)]"
 	@touch $@
 

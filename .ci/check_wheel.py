@@ -21,9 +21,9 @@ def complaints(wheel: Path) -> list[str]:
     """What is missing from a wheel and what should not be in it, one sentence each."""
     with zipfile.ZipFile(wheel) as archive:
         names = {name for name in archive.namelist() if not name.endswith("/")}
-    version = wheel.name.split("-")[1]
+    information = "-".join(wheel.name.split("-")[:2]) + ".dist-info"
     modules = {name for name in names if re.fullmatch(r"ltp/_core\.[\w.-]+\.so", name)}
-    expected = expected_names() | {f"ltp-{version}.dist-info/{name}" for name in METADATA}
+    expected = expected_names() | {f"{information}/{name}" for name in METADATA}
     found = [f"{name} is missing" for name in sorted(expected - names)]
     found += [f"{name} does not belong there" for name in sorted(names - expected - modules)]
     if len(modules) != 1:

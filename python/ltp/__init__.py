@@ -9,6 +9,11 @@ when the first of them is asked for: `ltp --help` needs none.
 import warnings
 from typing import TYPE_CHECKING
 
+from ltp.installed import warn_of_strangers
+
+warn_of_strangers()
+del warn_of_strangers
+
 if TYPE_CHECKING:
     from ltp._public import *  # noqa: F403
 else:

@@ -32,7 +32,7 @@ def describe() -> dict[str, object]:
         "system": _system(),
         "compiler": _first_line([os.environ.get("CXX") or "c++", "--version"]),
         "python": platform.python_version(),
-        "ltp": metadata.version("ltp"),
+        "ltp": metadata.version("ltp-uav"),
         "peers": {name: version for name in PEERS if (version := _version(name))},
     }
 

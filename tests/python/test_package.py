@@ -37,9 +37,9 @@ def modules_brought_by(statement: str) -> set[str]:
 def distribution() -> importlib.metadata.Distribution:
     """The installed package, if it is that which the tests import."""
     try:
-        found = importlib.metadata.distribution("ltp")
+        found = importlib.metadata.distribution("ltp-uav")
     except importlib.metadata.PackageNotFoundError:
-        pytest.skip("ltp is not installed, only on the path")
+        pytest.skip("ltp-uav is not installed, only on the path")
     if Path(str(found.locate_file("ltp"))).resolve() != Path(ltp.__file__).resolve().parent:
         pytest.skip("another ltp stands before the installed one on the path")
     return found

@@ -17,7 +17,7 @@ STUB = ROOT / "python/ltp/_core.pyi"
 
 
 def test_stub_has_not_drifted(tmp_path: Path) -> None:
-    pytest.importorskip("pybind11_stubgen", reason="install ltp[test]")
+    pytest.importorskip("pybind11_stubgen", reason="install ltp-uav[test]")
     fresh = tmp_path / "_core.pyi"
     done = subprocess.run(
         [sys.executable, ROOT / ".ci/make_stub.py", fresh],

@@ -31,6 +31,7 @@ def fly_recorded(
         The record, the sensed cells, and the recording's path if one was written.
     """
     from ltp.evaluation.sensed import SensedTrace
+    from ltp.installed import pip_install
     from ltp.sim import fly as fly_mission
     from ltp.viewer.rerun_module import has_rerun
 
@@ -46,7 +47,7 @@ def fly_recorded(
             observers.append(stack.enter_context(FlightRecording(recording)))
         record = fly_mission(world, config, global_path, observers)
     if not recorded and wanted is None:
-        say('no recording: it needs pip install "ltp[viewer]"')
+        say(f"no recording: it needs {pip_install('viewer')}")
     return record, sensed, recording if recorded else None
 
 

@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from ltp.installed import pip_install
+
 from .app import make_group
 from .naming import naming
 from .saved_world import Cell, WorldFile, save_world
@@ -27,7 +29,7 @@ BOUNDS = typer.Option(help="Piece to import: x_min y_min x_max y_max in the CRS 
 def register(app: typer.Typer) -> None:
     """Add the commands."""
     group = make_group(
-        "import", 'Import a real city into a world file.\n\nNeeds pip install "ltp[geo]".'
+        "import", f"Import a real city into a world file.\n\nNeeds {pip_install('geo')}."
     )
     group.command("geotiff")(import_geotiff)
     group.command("las")(import_las)

@@ -126,9 +126,8 @@ def numbers(holder: Any, prefix: str = "") -> Iterator[tuple[str, Any, list[Any]
             yield from numbers(value, f"{prefix}{name}.")
             continue
         value = plain(value)
-        if _is_number(getattr(type(holder), name, None)) or _is_number(
-            value
-        ):  # where a dataclass keeps its default
+        default = getattr(type(holder), name, None)  # where a dataclass keeps it
+        if _is_number(default) or _is_number(value):
             yield prefix + name, value, [value]
         elif isinstance(value, list) and any(map(_is_number, value)):
             yield prefix + name, value, value

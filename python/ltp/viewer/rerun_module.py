@@ -6,6 +6,8 @@ import importlib
 import importlib.util
 from types import ModuleType
 
+from ltp.installed import pip_install
+
 
 def has_rerun() -> bool:
     """Whether recordings can be made here."""
@@ -22,5 +24,5 @@ def require_rerun(module: str = "rerun") -> ModuleType:
         return importlib.import_module(module)
     except ImportError as error:
         raise ImportError(
-            f'recordings need the rerun viewer: pip install "ltp[viewer]" ({error})', name="rerun"
+            f"recordings need the rerun viewer: {pip_install('viewer')} ({error})", name="rerun"
         ) from error

@@ -5,6 +5,8 @@
 import importlib
 from types import ModuleType
 
+from ltp.installed import pip_install
+
 
 def require(module: str, purpose: str, extra: str = "geo") -> ModuleType:
     """Import `module`, or say what is missing for `purpose` and how to get it.
@@ -20,5 +22,5 @@ def require(module: str, purpose: str, extra: str = "geo") -> ModuleType:
     except ImportError as error:
         package = module.partition(".")[0]
         raise ImportError(
-            f'{purpose} needs {package}: pip install "ltp[{extra}]" ({error})', name=package
+            f"{purpose} needs {package}: {pip_install(extra)} ({error})", name=package
         ) from error

@@ -3,6 +3,7 @@
 """GeoTIFF rasters become a world the right way up, and damaged ones an error with their name."""
 
 import importlib
+import re
 import tracemalloc
 from collections.abc import Callable
 from pathlib import Path
@@ -12,6 +13,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from ltp.installed import pip_install
 from ltp.world import LandClass
 from ltp.world.importers import geotiff
 from ltp.world.landable import landable_mask
@@ -340,6 +342,6 @@ def test_a_missing_library_is_named_with_its_cure(
 
     monkeypatch.setattr(importlib, "import_module", without_rasterio)
     with pytest.raises(
-        ImportError, match=r'reading GeoTIFF needs rasterio: pip install "ltp\[geo\]"'
+        ImportError, match=re.escape(f"reading GeoTIFF needs rasterio: {pip_install('geo')}")
     ):
         geotiff.read(dsm=dsm, dem=dsm)

@@ -3,6 +3,7 @@
 """Classified laser surveys become a world; what their classes mean, and damage to the file."""
 
 import importlib
+import re
 import struct
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from ltp.installed import pip_install
 from ltp.world import LandClass, World
 from ltp.world.importers import las
 
@@ -321,6 +323,6 @@ def test_a_missing_library_is_named_with_its_cure(
         return found(name, package)
 
     monkeypatch.setattr(importlib, "import_module", without)
-    message = rf'reading LAS and LAZ needs {missing}: pip install "ltp\[geo\]"'
+    message = re.escape(f"reading LAS and LAZ needs {missing}: {pip_install('geo')}")
     with pytest.raises(ImportError, match=message):
         las.read(path)

@@ -3,6 +3,7 @@
 """OpenStreetMap extracts become a world: buildings, streets, water; damaged ones an error."""
 
 import importlib
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 import pytest
 
+from ltp.installed import pip_install
 from ltp.world import LandClass, World
 from ltp.world.importers import osm
 
@@ -437,5 +439,5 @@ def test_a_missing_library_is_named_with_its_cure(
         return found(name, package)
 
     monkeypatch.setattr(importlib, "import_module", without)
-    with pytest.raises(ImportError, match=rf'needs {missing}: pip install "ltp\[geo\]"'):
+    with pytest.raises(ImportError, match=re.escape(f"needs {missing}: {pip_install('geo')}")):
         osm.read(path, bounds=BOUNDS, crs=CRS)
