@@ -37,7 +37,7 @@ WHEEL := $(STAMPS)/wheel-$(WERROR)-$(shell printf '%s\n' $(sort $(SOURCES)) | ck
 
 .PHONY: help
 help:  ## say what there is to make
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' Makefile
 
 .PHONY: demo
 demo: $(STAMPS)/viewer  ## fly the built-in city, into out/demo
@@ -49,6 +49,25 @@ demo: $(STAMPS)/viewer  ## fly the built-in city, into out/demo
 test: $(STAMPS)/test build-tests  ## run the C++ tests and the Python tests
 	ctest --test-dir build/tests -j $(JOBS) --output-on-failure
 	$(BIN)/python -m pytest
+
+SEED ?= $(shell od -An -N4 -tu4 /dev/urandom | tr -d ' ')
+
+.PHONY: test-random
+test-random: $(STAMPS)/test  ## run the Python tests on examples that nobody has seen
+	@echo "ltp: make test-random SEED=$(SEED) repeats this run"
+	$(BIN)/python -m pytest --hypothesis-profile=random --hypothesis-seed=$(SEED)
+
+LOWEST := build/lowest
+
+.PHONY: test-lowest
+test-lowest: $(WHEEL)  ## run the Python tests with the lowest versions of all dependencies
+	@echo "ltp: setting up $(LOWEST)"
+	@rm -rf $(LOWEST)
+	@"$$(cat $(STAMPS)/system)" -m venv $(LOWEST)
+	@$(BIN)/python .ci/lowest.py geo viewer test > build/lowest.txt
+	@$(LOWEST)/bin/python -m pip --disable-pip-version-check --quiet --quiet \
+	  install --requirement build/lowest.txt dist/*.whl
+	$(LOWEST)/bin/python -m pytest
 
 .PHONY: lint
 lint: $(STAMPS)/dev  ## check layout, style and types
