@@ -38,7 +38,7 @@ PLANNING_FLOORS = [
     {"planners"},
 ]
 PYTHON_FLOORS = [
-    {"_core", "files", "installed", "renamed"},
+    {"_core", "brief", "files", "installed", "renamed"},
     {"world", "config", "registry"},
     {"sim", "drawing"},
     {"landing", "bridges"},

@@ -3,6 +3,7 @@
 """The command line, `ltp`: a thin layer that parses, calls one function, prints its result."""
 
 from . import compare, config, demo, evaluate, figure, fly, gap, replay, table, version, world
+from . import root as root_options
 from .app import make_group
 
 __all__ = ["app", "main"]
@@ -14,6 +15,7 @@ app = make_group(
 )
 
 for module in (
+    root_options,
     demo,
     fly,
     evaluate,

@@ -8,6 +8,7 @@ from typing import Any
 import typer
 from typer.core import TyperGroup
 
+from .log import log_mistake
 from .output import note
 
 #: Set to anything, this environment variable lets a mistake show its whole traceback.
@@ -29,6 +30,7 @@ class PoliteGroup(TyperGroup):
             note("interrupted")
             raise typer.Exit(_INTERRUPTED) from None
         except (ValueError, OSError, ImportError, RuntimeError) as error:
+            log_mistake(error)
             if TRACEBACK in os.environ:
                 raise
             note(f"error: {_one_line(error)}")

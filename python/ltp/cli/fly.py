@@ -83,6 +83,10 @@ def fly(
             "planner",
             "priority_map",
             **{"weights.length": "--length-weight", "weights.priority": "--priority-weight"},
+            **{
+                "planner_options.weights.length": "--length-weight",
+                "planner_options.weights.priority": "--priority-weight",
+            },
         ),
     ):
         settings.check()

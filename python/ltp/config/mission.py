@@ -23,7 +23,7 @@ from ltp._core import (
 )
 from ltp.config.moved import MOVED, warn_of, with_new_names
 from ltp.config.ranges import check_ranges, check_window
-from ltp.config.tables import assign, field_names, plain, read_toml, toml_lines
+from ltp.config.tables import assign, differences, field_names, plain, read_toml, toml_lines
 
 
 @dataclass(frozen=True)
@@ -117,6 +117,12 @@ class MissionConfig:
         """Write a TOML file."""
         Path(path).write_text(self.to_toml(), encoding="utf-8")
 
+    def __repr__(self) -> str:
+        """The planner, and what differs from the defaults."""
+        changed = differences(self.to_dict(), _defaults())
+        texts = [f"{key}={value!r}" for key, value in changed.items() if key != "planner"]
+        return f"MissionConfig({', '.join([f'planner={self.planner!r}', *texts])})"
+
     def __copy__(self) -> Self:
         return dataclasses.replace(self)
 
@@ -132,6 +138,11 @@ class MissionConfig:
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
         warn_of(name)
         return functools.reduce(getattr, MOVED[name].split("."), self)
+
+
+@functools.cache
+def _defaults() -> dict[str, Any]:
+    return MissionConfig().to_dict()
 
 
 _init = MissionConfig.__init__

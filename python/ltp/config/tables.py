@@ -68,6 +68,18 @@ def assign(holder: Any, values: dict[str, Any], prefix: str = "") -> None:
             raise ValueError(f"{key} = {value!r:.80}: expected {expected}") from error
 
 
+def differences(values: dict[str, Any], others: dict[str, Any], prefix: str = "") -> dict[str, Any]:
+    """The plain values by key, tables and keys with dots between, that are not those of others."""
+    found: dict[str, Any] = {}
+    for name, value in values.items():
+        other = others.get(name)
+        if isinstance(value, dict) and isinstance(other, dict):
+            found |= differences(value, other, f"{prefix}{name}.")
+        elif value != other:
+            found[prefix + name] = value
+    return found
+
+
 def read_toml(text: str) -> dict[str, Any]:
     """The settings in a TOML document.
 

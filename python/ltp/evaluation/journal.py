@@ -4,13 +4,18 @@
 
 import fcntl
 import json
+import logging
 import os
 from io import FileIO
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Generic, Self
 
+from ltp.brief import brief
+
 from .row_table import Row, RowTable
+
+_log = logging.getLogger(__name__)
 
 
 class RowJournal(Generic[Row]):
@@ -59,6 +64,8 @@ class RowJournal(Generic[Row]):
             raise ValueError(f"the {self._unit} {row.key} is in {self._path} already")
         self._write(self._table.to_mapping(row))
         self.rows[row.key] = row
+        if _log.isEnabledFor(logging.INFO):
+            _log.info("%s: %s %d: %s", self._path, self._unit, len(self.rows), brief(row))
 
     def close(self) -> None:
         """Let the next owner write."""

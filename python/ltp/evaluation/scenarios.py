@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from ltp.brief import brief
 from ltp.world import LandClass, World
 
 if TYPE_CHECKING:
@@ -71,6 +72,8 @@ class Scenario:
     seed: int  # of the whole set
     global_path: NDArray[np.float64]  # (n, 3) waypoints, the start first, world frame [m]
     crosses_building: bool  # whether the straight global path touches a building
+
+    __repr__ = brief
 
 
 def make_scenarios(world: World, options: ScenarioOptions | None = None) -> list[Scenario]:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ltp._core import GridFrame, OccupancyGrid
+from ltp.brief import brief
 
 if TYPE_CHECKING:
     from ltp.sim import FlightRecord, MissionSetup, Step
@@ -22,6 +23,8 @@ class CellMap:
 
     frame: GridFrame
     columns: NDArray[np.uint64]  # (nx, ny, words): bit k of word w is level 64 w + k
+
+    __repr__ = brief
 
     @staticmethod
     def of(grid: OccupancyGrid) -> "CellMap":
@@ -54,6 +57,8 @@ class Snapshot:
     path: NDArray[np.float64]  # (k, 3) to follow, empty if there is none [m]
     goal: NDArray[np.float64]  # (3,) of the last plan [m]
     dropped: bool  # whether this moment's answer dropped the goal
+
+    __repr__ = brief
 
     @property
     def position(self) -> NDArray[np.float64]:

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from ltp._core import Lidar, LocalTrajectoryPlanner, NavigationStatus, Pose, Scan
 from ltp.config import MissionConfig
+from ltp.sim.decisions import DecisionLog
 from ltp.sim.guidance import PathFollower
 from ltp.sim.log import FlightLog
 from ltp.sim.observer import Observer
@@ -44,11 +45,18 @@ class Mission:
         self.vehicle = PointMass(start, config.vehicle)
         self.guidance = PathFollower(config.vehicle.speed, config.vehicle.max_acceleration)
 
+    def __repr__(self) -> str:
+        setup = self.setup
+        return (
+            f"Mission({setup.config.planner} over {setup.world.name!r}, "
+            f"{len(setup.waypoints)} waypoints)"
+        )
+
     def fly(self) -> FlightRecord:
         """Fly until the waypoints are used up, the time is over, or something is hit."""
         config, log = self.setup.config, FlightLog()
         steps = StepMaker(self.planner, self.vehicle)
-        observers = (log, *self.observers)
+        observers: tuple[Observer, ...] = (log, DecisionLog(), *self.observers)
         for observer in observers:
             observer.on_start(self.setup)
         outcome, collision, tick, held = None, None, 0, 0.0

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ltp._core import PlanRecord, WaypointEvent
+from ltp.brief import brief
 from ltp.config import MissionConfig
 from ltp.files import atomic_write, blamed_on
 from ltp.files.typed import typed
@@ -79,6 +80,7 @@ class PlanEntry:
     expanded: int
     seconds: float  # wall time; the only entry that differs from run to run
 
+    __repr__ = brief
     way_point = _old_name("way_point", "waypoint")
 
     @classmethod
@@ -123,6 +125,16 @@ class FlightRecord:
 
     way_points = _old_name("way_points", "waypoints")
     way_point_index = _old_name("way_point_index", "waypoint_index")
+
+    def __repr__(self) -> str:
+        reached = sum(entry.outcome == "reached" for entry in self.waypoints)
+        touched = "" if self.collision is None else f" at {self.collision}"
+        seconds = f"{self.times[-1]:.1f} s" if len(self.times) else "no time"
+        return (
+            f"FlightRecord({self.config.planner} over {self.world_name!r}: "
+            f"{self.outcome.value}{touched}, {self.length:.1f} m in {seconds}, {reached} waypoints "
+            f"reached, {len(self.dropped)} dropped, {len(self.plans)} plans)"
+        )
 
     @property
     def global_length(self) -> float:

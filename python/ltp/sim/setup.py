@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ltp._core import HeightSurface, Raster, path_length
+from ltp.brief import brief
 from ltp.config import MissionConfig
 from ltp.world import World, priority_map
 
@@ -23,6 +24,8 @@ class MissionSetup:
     global_path: NDArray[np.float64]  # (n, 3), n >= 2: the start and the waypoints, world [m]
     surface: HeightSurface  # what is really there
     priority: Raster  # the map that the UAV is given
+
+    __repr__ = brief
 
     @classmethod
     def of(cls, world: World, config: MissionConfig, global_path: ArrayLike) -> Self:

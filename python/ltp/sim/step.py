@@ -16,6 +16,7 @@ from ltp._core import (
     Scan,
     WaypointEvent,
 )
+from ltp.brief import brief
 from ltp.sim.vehicle import PointMass
 
 
@@ -34,6 +35,8 @@ class Step:
     plans: Sequence[PlanRecord]  # the planner's new answers
     events: Sequence[WaypointEvent]  # waypoints newly reached or dropped
     map: ObstacleMap  # a view of the planner's: it changes with the next step
+
+    __repr__ = brief
 
 
 class StepMaker:

@@ -91,6 +91,14 @@ class World:
         ):
             object.__setattr__(self, field, value)
 
+    def __repr__(self) -> str:
+        x_cells, y_cells = self.shape
+        return (
+            f"World({self.name!r}, {x_cells} x {y_cells} cells of {self.cell:g} m, "
+            f"{self.datum.crs or 'no CRS'}, ground at {self.ground.min():.1f} ... "
+            f"{self.ground.max():.1f} m, top at {self.surface.max():.1f} m)"
+        )
+
     def __reduce__(self) -> tuple[type["World"], tuple[Any, ...]]:
         # Through the constructor: an array that was only unpickled would be writable.
         return World, tuple(getattr(self, field.name) for field in fields(self))

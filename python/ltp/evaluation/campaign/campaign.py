@@ -11,12 +11,14 @@ is refused: see `folder`. Another build of the program flies anew: see `digests`
 """
 
 import contextlib
+import logging
 import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
+from ltp.brief import brief
 from ltp.config import MissionConfig
 from ltp.world import World
 
@@ -28,6 +30,8 @@ from .folder import open_folder
 from .rows import FLIGHTS, FlightRow, write_rows
 from .variants import Variant, unique
 from .workers import Crew, ProcessCrew, SoloCrew
+
+_log = logging.getLogger(__name__)
 
 JOURNAL = "journal.jsonl"
 TABLE = "flights.csv"
@@ -65,6 +69,8 @@ class Campaign:
     variants: Sequence[Variant]
     scenarios: Sequence[Scenario]
     base: MissionConfig  # the variants are put into it
+
+    __repr__ = brief
 
     def flights(self) -> list[Flight]:
         """Every flight once, variant by variant."""
@@ -121,6 +127,13 @@ def run_campaign(
         waiting = [flight for flight in flights if not _kept(flight, journal, records)]
         waiting.sort(key=lambda flight: flight.scenario.index)
         crew = crew or _crew(campaign, records, min(processes, len(waiting)))
+        _log.info(
+            "%s: %d flights to fly, %d flown before, in %d processes",
+            folder,
+            len(waiting),
+            len(flights) - len(waiting),
+            processes,
+        )
         for observer in observers:
             observer.on_start(len(flights), len(flights) - len(waiting))
         try:

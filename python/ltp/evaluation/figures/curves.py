@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from ltp.brief import brief
+
 from ..campaign.rows import FlightRow
 from ..conditions import PRIORITY_MAPS, map_title
 from ..contenders import contender_title
@@ -32,6 +34,8 @@ class Curve:
     length_error: NDArray[np.float64]
     priority: NDArray[np.float64]  # (n,) mean priority
     priority_error: NDArray[np.float64]
+
+    __repr__ = brief
 
 
 def curves(

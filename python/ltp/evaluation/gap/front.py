@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ltp._core import ExactOptions, LinearisedOptions, PlanStatus, Query, Scene, pareto_front
+from ltp.brief import brief
 from ltp.registry import make_planner
 
 from ..conditions import Weights
@@ -46,6 +47,8 @@ class FrontView:
     hull: NDArray[np.float64]  # (h, 2) supported tallies, by length: the best of alpha L - P
     front: NDArray[np.float64] | None  # (k, 2) see `exact_front`
     landings: list[Landing]
+
+    __repr__ = brief
 
     @property
     def weights(self) -> Weights:

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ltp._core import GridFrame, OccupancyGrid, PlanRecord, PlanStatus, Query, Raster, Scene
+from ltp.brief import brief
 from ltp.config import MissionConfig
 from ltp.files import atomic_write, blamed_on
 from ltp.files.npz import NpzReader
@@ -56,6 +57,8 @@ class RecordedQuery:
     flown: float  # Eq. 5 of the plan that was flown; inf if there was none
     blocked: CellMap  # the window: every level that was sensed, also those outside the band
 
+    __repr__ = brief
+
     @property
     def direct_length(self) -> float:
         """L_direct [m]."""
@@ -92,6 +95,12 @@ class QuerySet:
     source: str  # digest of everything that the recording was made of
     queries: list[RecordedQuery]
     priorities: dict[int, dict[str, Raster]]  # of each scenario: by the name of the map
+
+    def __repr__(self) -> str:
+        flights = ", ".join(map(str, sorted(self.priorities)))
+        return (
+            f"QuerySet({len(self.queries)} queries over {self.world!r}, of global paths {flights})"
+        )
 
     def scene(self, query: RecordedQuery, priority_map: str) -> Scene:
         """What a planner looked at, with either priority map."""

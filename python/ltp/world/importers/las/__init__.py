@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Classified laser surveys, LAS or LAZ."""
 
+from ..log import logged
 from .reader import read
 
 __all__ = ["read"]
+
+read = logged(read)

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """OpenStreetMap extracts."""
 
+from ..log import logged
 from .reader import ATTRIBUTION, read
 
 __all__ = ["ATTRIBUTION", "read"]
+
+read = logged(read)
