@@ -8,7 +8,7 @@ from ltp.renamed import old_names
 
 from .city import make_city
 from .classes import CLASS_COLOURS, LANDABLE_PRESETS, LandClass
-from .landable import LandingRules, landable_mask
+from .landable import LandingLimits, LandingRules, landable_mask
 from .priority import binary_priority, footprint, lowpass_priority, priority_map
 from .world import Datum, World
 
@@ -17,6 +17,7 @@ __all__ = [
     "LANDABLE_PRESETS",
     "Datum",
     "LandClass",
+    "LandingLimits",
     "LandingRules",
     "World",
     "binary_priority",

@@ -3,8 +3,9 @@
 """What can lie on the ground, what of it may be landed on, and how pictures colour it."""
 
 import enum
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from types import MappingProxyType
+from typing import SupportsIndex
 
 
 class LandClass(enum.IntEnum):
@@ -31,6 +32,7 @@ _STRICT = frozenset({LandClass.GRASS, LandClass.BARE, LandClass.PITCH})
 
 #: Which classes may be landed on. `strict`: soft, open and away from traffic. `wide`: also whatever
 #: is sealed and level, roads included: in a city about as much landing ground as in the paper.
+#: Neither says how steep or rough such ground may be: for both that is up to `LandingLimits`.
 LANDABLE_PRESETS: Mapping[str, frozenset[LandClass]] = MappingProxyType(
     {
         "strict": _STRICT,
@@ -66,3 +68,53 @@ CLASS_COLOURS: Mapping[LandClass, tuple[int, int, int]] = MappingProxyType(
         LandClass.GROUND: (230, 219, 190),
     }
 )
+
+
+def land_class(kind: LandClass | str | int) -> LandClass:
+    """The class of that name (in any case) or number.
+
+    Raises:
+        ValueError: if there is none, naming those there are.
+    """
+    if (found := _class(kind)) is None:
+        raise ValueError(f"class must be one of {_NAMES}, not {kind!r}")
+    return found
+
+
+def landable_classes(landable: str | Iterable[LandClass | str | int]) -> frozenset[LandClass]:
+    """The classes that may be landed on.
+
+    Args:
+        landable: a name in `LANDABLE_PRESETS`, or classes by name (in any case) or number.
+
+    Raises:
+        ValueError: naming what is neither; also for TREES, which nothing lands on.
+    """
+    if isinstance(landable, str):
+        if landable not in LANDABLE_PRESETS:
+            known = ", ".join(LANDABLE_PRESETS)
+            raise ValueError(f"landable must be one of {known} or land classes, not {landable!r}")
+        return LANDABLE_PRESETS[landable]
+    if not isinstance(landable, Iterable):
+        raise ValueError(f"landable must be land classes, not {landable!r}")
+    allowed: set[LandClass] = set()
+    for kind in landable:
+        if (found := _class(kind)) is None:
+            raise ValueError(f"landable must be land classes: {kind!r} is none of {_NAMES}")
+        allowed.add(found)
+    if LandClass.TREES in allowed:
+        raise ValueError("landable must not contain TREES: nothing lands on a canopy")
+    return frozenset(allowed)
+
+
+_NAMES = ", ".join(kind.name.lower() for kind in LandClass)
+
+
+def _class(kind: object) -> LandClass | None:
+    """The class of a name or number, if there is one."""
+    if isinstance(kind, str):
+        return LandClass.__members__.get(kind.upper())
+    if isinstance(kind, bool) or not isinstance(kind, SupportsIndex):
+        return None
+    known = {int(number): number for number in LandClass}
+    return known.get(kind.__index__())

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ltp.world.classes import LandClass
+from ltp.world.classes import LandClass, land_class
 from ltp.world.world import Datum, World
 
 from ..limits import OBJECT_HEIGHT
@@ -116,19 +116,6 @@ def _check_table(table: ClassTable | None, classes: PathLike | None) -> dict[int
     if (table is None) != (classes is None):
         raise ValueError("classes and class_table go together: codes mean nothing by themselves")
     return {int(code): land_class(kind) for code, kind in (table or {}).items()}
-
-
-def land_class(kind: LandClass | str | int) -> LandClass:
-    """The class of that name (in any case) or number.
-
-    Raises:
-        ValueError: if there is none, naming those there are.
-    """
-    try:
-        return LandClass[kind.upper()] if isinstance(kind, str) else LandClass(kind)
-    except (KeyError, ValueError):
-        names = ", ".join(c.name.lower() for c in LandClass)
-        raise ValueError(f"class must be one of {names}, not {kind!r}") from None
 
 
 def _translate(
