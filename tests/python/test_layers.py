@@ -39,7 +39,8 @@ PLANNING_FLOORS = [
 ]
 PYTHON_FLOORS = [
     {"_core", "brief", "files", "installed", "renamed"},
-    {"world", "config", "registry"},
+    {"world", "registry"},
+    {"config"},
     {"sim", "drawing"},
     {"landing", "bridges"},
     {"evaluation", "viewer"},

@@ -12,7 +12,7 @@ import os
 import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Self
+from typing import Annotated, Any, Self
 
 from ltp._core import (
     LidarOptions,
@@ -24,15 +24,17 @@ from ltp._core import (
 from ltp.config.moved import MOVED, warn_of, with_new_names
 from ltp.config.ranges import check_ranges, check_window
 from ltp.config.tables import assign, differences, field_names, plain, read_toml, toml_lines
+from ltp.world.classes import Landable, landable_classes
+from ltp.world.landable import LandingLimits
 
 
 @dataclass(frozen=True)
 class VehicleOptions:
     """Limits of the point-mass vehicle."""
 
-    speed: float = 3.0  # designated velocity, the paper's [m/s]
-    max_acceleration: float = 3.0  # [m/s^2]
-    max_climb: float = 2.0  # largest vertical speed, up or down [m/s]
+    speed: Annotated[float, "designated velocity, the paper's [m/s]"] = 3.0
+    max_acceleration: Annotated[float, "in any direction [m/s^2]"] = 3.0
+    max_climb: Annotated[float, "largest vertical speed, up or down [m/s]"] = 2.0
 
     def __post_init__(self) -> None:
         check_ranges(self, "vehicle.")
@@ -48,18 +50,38 @@ class MissionConfig:
         ValueError: for a value out of range, or a key that does not exist; it is named.
     """
 
-    planner: str = "auto"  # one of `ltp.PLANNERS`
-    planner_options: PlannerOptions = field(default_factory=PlannerOptions)
-    priority_map: str = "binary"  # "binary" or "lpf"
-    landable: str = "wide"  # preset of the classes that may be landed on
-    fov_deg: float = 53.0  # of the look-down camera [deg]
-    step: float = 0.1  # of the simulation: scan, plan and move at 10 Hz [s]
-    time_limit_factor: float = 5.0  # of the time that the global path takes at full speed
-    hold_limit: float = 30.0  # after holding so long without a path the flight has timed out [s]
-    vehicle: VehicleOptions = field(default_factory=VehicleOptions)
-    lidar: LidarOptions = field(default_factory=LidarOptions)
-    mapping: ObstacleMapOptions = field(default_factory=ObstacleMapOptions)
-    navigation: NavigationOptions = field(default_factory=NavigationOptions)
+    planner: Annotated[str, "one of `ltp.PLANNERS`; docs/planners.md says which is for what"] = (
+        "auto"
+    )
+    planner_options: Annotated[PlannerOptions, "what planners go by, each its own"] = field(
+        default_factory=PlannerOptions
+    )
+    priority_map: Annotated[str, '"binary", or "lpf" for the low-pass map'] = "binary"
+    landable: Annotated[
+        Landable,
+        '"strict", "wide", or what may be landed on, by class: ["grass", "ground"]',
+    ] = "wide"
+    fov_deg: Annotated[float, "opening angle of the look-down camera [deg]"] = 53.0
+    step: Annotated[float, "of the simulation: scan, plan and move at 10 Hz [s]"] = 0.1
+    time_limit_factor: Annotated[
+        float, "a flight may take so many times as long as the global path takes at full speed"
+    ] = 5.0
+    hold_limit: Annotated[
+        float, "after holding so long without a path the flight has timed out [s]"
+    ] = 30.0
+    landing: Annotated[LandingLimits, "how level landable ground must be"] = field(
+        default_factory=LandingLimits
+    )
+    vehicle: Annotated[VehicleOptions, "limits of the point-mass vehicle"] = field(
+        default_factory=VehicleOptions
+    )
+    lidar: Annotated[LidarOptions, "the simulated sensor"] = field(default_factory=LidarOptions)
+    mapping: Annotated[ObstacleMapOptions, "the map of what was sensed"] = field(
+        default_factory=ObstacleMapOptions
+    )
+    navigation: Annotated[NavigationOptions, "when to plan, and within what limits"] = field(
+        default_factory=NavigationOptions
+    )
 
     def __post_init__(self) -> None:
         self.check()
@@ -78,6 +100,11 @@ class MissionConfig:
             )
         if self.priority_map not in ("binary", "lpf"):
             raise ValueError(f'priority_map = {self.priority_map!r}: expected "binary" or "lpf"')
+        allowed = landable_classes(self.landable)
+        if not isinstance(self.landable, str):
+            self.landable = tuple(kind.name.lower() for kind in sorted(allowed))
+        if not isinstance(self.landing, LandingLimits):
+            raise ValueError(f"landing = {self.landing!r}: expected LandingLimits")
 
     def to_dict(self) -> dict[str, Any]:
         """All settings as plain values: numbers, strings, lists, nested dictionaries."""
@@ -88,14 +115,16 @@ class MissionConfig:
         """The configuration with these settings; the others keep their defaults."""
         for name in MOVED.keys() & values.keys():
             warn_of(name)
-        config = cls()
-        assign(config, with_new_names(values))
+        config, values = cls(), with_new_names(values)
+        if isinstance(values.get("landable"), list | tuple):  # the one setting of two kinds
+            config.landable = values.pop("landable")
+        assign(config, values)
         config.check()
         return config
 
     def to_toml(self) -> str:
-        """All settings as a TOML document."""
-        return "\n".join(toml_lines(self.to_dict())) + "\n"
+        """All settings as a TOML document, each with its unit and what it means."""
+        return "\n".join(toml_lines(self)) + "\n"
 
     @classmethod
     def from_toml(cls, text: str) -> Self:

@@ -5,6 +5,7 @@
 import dataclasses
 import difflib
 import tomllib
+import typing
 from collections.abc import Sequence
 from typing import Any
 
@@ -17,6 +18,15 @@ def field_names(holder: object) -> tuple[str, ...]:
     if dataclasses.is_dataclass(holder):
         return tuple(item.name for item in dataclasses.fields(holder))
     return tuple(getattr(type(holder), "__fields__", ()))
+
+
+def meaning(holder: object, name: str) -> str:
+    """What a setting is for, with its unit: from its annotation, or the core's own docstring."""
+    kind = type(holder)
+    if not dataclasses.is_dataclass(holder):
+        return str(getattr(kind, name).__doc__ or "")
+    hint = typing.get_type_hints(kind, include_extras=True)[name]
+    return next((text for text in getattr(hint, "__metadata__", ()) if isinstance(text, str)), "")
 
 
 def plain(value: Any) -> Any:
@@ -54,7 +64,7 @@ def assign(holder: Any, values: dict[str, Any], prefix: str = "") -> None:
                     raise ValueError(f"{key} = {value!r:.80}: expected a table")
                 if dataclasses.is_dataclass(current):  # frozen: checked as a whole
                     _refuse_unknown(current, value, key)
-                    value = dataclasses.replace(current, **value)  # type: ignore[type-var]
+                    value = _replaced(current, value, key)
                 else:
                     assign(current, value, key + ".")
                     value = current
@@ -97,13 +107,18 @@ def read_toml(text: str) -> dict[str, Any]:
         raise ValueError("nested too deeply") from None
 
 
-def toml_lines(values: dict[str, Any], prefix: str = "") -> list[str]:
-    """The lines of a TOML document that holds nested dictionaries of plain values."""
-    lines = [f"{k} = {_toml(v)}" for k, v in values.items() if not isinstance(v, dict)]
-    for name, table in values.items():
-        if isinstance(table, dict):
-            lines += ["", f"[{prefix}{name}]", *toml_lines(table, f"{prefix}{name}.")]
-    return lines
+def toml_lines(holder: Any, prefix: str = "") -> list[str]:
+    """The lines of a TOML document of all settings of a holder, each with what it means."""
+    lines, tables = [], []
+    for name in field_names(holder):
+        value = getattr(holder, name)
+        text = meaning(holder, name)
+        comment = f"  # {text}" if text else ""
+        if field_names(value):
+            tables += ["", f"[{prefix}{name}]{comment}", *toml_lines(value, f"{prefix}{name}.")]
+        else:
+            lines.append(f"{name} = {_toml(plain(value))}{comment}")
+    return lines + tables
 
 
 def _refuse_unknown(holder: object, values: dict[str, Any], key: str) -> None:
@@ -117,6 +132,14 @@ def _unknown(key: str, known: Sequence[str]) -> ValueError:
     near = difflib.get_close_matches(name, known, n=1, cutoff=0.6) if len(name) < 100 else []
     meant = f" (did you mean {near[0]!r}?)" if near else ""
     return ValueError(f"unknown key {key[:200]!r}{meant}: expected one of {', '.join(known)}")
+
+
+def _replaced(holder: Any, values: dict[str, Any], key: str) -> Any:
+    try:
+        return dataclasses.replace(holder, **values)
+    except ValueError as error:
+        text = str(error)
+        raise ValueError(text if text.startswith(f"{key}.") else f"{key}.{text}") from error
 
 
 def _toml(value: Any) -> str:

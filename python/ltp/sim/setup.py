@@ -84,5 +84,5 @@ def _priority(world: World, config: MissionConfig, path: NDArray[np.float64]) ->
         config.priority_map,  # type: ignore[arg-type]
         altitude=height,
         fov_deg=config.fov_deg,
-        landable=config.landable,
+        **config.landing.rules(config.landable),
     )

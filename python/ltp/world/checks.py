@@ -30,7 +30,8 @@ def sentences(name: str, values: object) -> tuple[str, ...]:
 def finite(name: str, value: object) -> float:
     """Return `value` as a float; demand a finite number."""
     try:
-        number = math.nan if isinstance(value, str | bytes) else float(value)  # type: ignore[arg-type]
+        no_number = isinstance(value, str | bytes | bool | np.bool_)
+        number = math.nan if no_number else float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{name} must be a number, not {value!r}") from None
     if not math.isfinite(number):

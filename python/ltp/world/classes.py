@@ -81,7 +81,11 @@ def land_class(kind: LandClass | str | int) -> LandClass:
     return found
 
 
-def landable_classes(landable: str | Iterable[LandClass | str | int]) -> frozenset[LandClass]:
+#: A name in `LANDABLE_PRESETS`, or classes by name or number.
+Landable = str | Iterable[LandClass | str | int]
+
+
+def landable_classes(landable: Landable) -> frozenset[LandClass]:
     """The classes that may be landed on.
 
     Args:

@@ -3,7 +3,6 @@
 """Where one may land: the mask of allowed, low, flat, even and treeless cells."""
 
 import math
-from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from typing import Annotated, TypedDict
 
@@ -11,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .checks import finite, not_negative, positive
-from .classes import LandClass, landable_classes
+from .classes import Landable, landable_classes
 from .flatness import flatness
 from .world import World
 
@@ -55,15 +54,15 @@ class LandingLimits:
             f"{self.gear_radius:g} m, {self.max_height_above_ground:g} m above the bare ground"
         )
 
-    def rules(self) -> "LandingRules":
-        """As arguments of `landable_mask` and of the priority maps."""
-        return LandingRules(**asdict(self))  # type: ignore[no-any-return, typeddict-item]
+    def rules(self, landable: Landable = "wide") -> "LandingRules":
+        """With the classes that may be landed on, the arguments of `landable_mask`."""
+        return LandingRules(landable=landable, **asdict(self))  # type: ignore[no-any-return, typeddict-item]
 
 
 class LandingRules(TypedDict, total=False):
     """What `landable_mask` asks for; every key is one of its arguments."""
 
-    landable: str | Iterable[LandClass | str | int]
+    landable: Landable
     max_slope: float
     max_roughness: float
     gear_radius: float
@@ -73,7 +72,7 @@ class LandingRules(TypedDict, total=False):
 
 def landable_mask(
     world: World,
-    landable: str | Iterable[LandClass | str | int] = "wide",
+    landable: Landable = "wide",
     max_height_above_ground: float = LandingLimits.max_height_above_ground,
     max_roughness: float = LandingLimits.max_roughness,
     clearance: float = LandingLimits.clearance,

@@ -8,11 +8,13 @@ import math
 import warnings
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from ltp._core import LidarOptions, PlannerOptions
 from ltp.config import MissionConfig, VehicleOptions
+from ltp.world import LandClass, LandingLimits
 
 ROOT = Path(__file__).parents[3]
 
@@ -81,6 +83,23 @@ def test_the_file_is_readable(tmp_path) -> None:
         ("[lidar]\nmax_range = -1", "max_range"),
         ("[navigation]\nband = [-1, 0]", "band"),
         ("[navigation]\nband = 3", "band"),
+        ("landable = 'grass'", "landable must be one of strict, wide"),
+        ("landable = 'Strict'", "landable must be one of strict, wide"),
+        ("landable = ['gras']", "landable must be land classes: 'gras' is none of unknown, grass"),
+        ("landable = ['grass', 'trees']", "landable must not contain TREES"),
+        ("landable = ['strict']", "landable must be land classes: 'strict'"),
+        ("landable = [1.5]", "landable must be land classes: 1.5"),
+        ("landable = [['grass']]", "landable must be land classes: .'grass'."),
+        ("landable = 3", "landable"),
+        ("landable = true", "landable"),
+        ("landing = 3", "landing = 3: expected a table"),
+        ("[landing]\nslope = 3", "landing.slope.*expected one of max_slope"),
+        ("[landing]\nmax_slope = 91", "landing.max_slope must lie in"),
+        ("[landing]\nmax_slope = true", "landing.max_slope must be a finite number"),
+        ("[landing]\nmax_slope = 'flat'", "landing.max_slope must be a finite number"),
+        ("[landing]\nmax_roughness = nan", "landing.max_roughness must be a finite number"),
+        ("[landing]\ngear_radius = 0", "landing.gear_radius must be above zero"),
+        ("[landing]\nclearance = -1", "landing.clearance must not be negative"),
         ("step = ", "TOML"),
     ],
 )
@@ -159,3 +178,43 @@ def test_the_settings_of_the_docs_are_current() -> None:
         warnings.simplefilter("error")
         for file in files:
             MissionConfig.load(file)
+
+
+@pytest.mark.parametrize(
+    "landable",
+    [["grass", "ground"], ("GROUND", "Grass"), {LandClass.GROUND, LandClass.GRASS}, [14, 1, 1]],
+)
+def test_what_may_be_landed_on_is_a_list_of_classes_too(landable: Any) -> None:
+    config = MissionConfig(landable=landable)
+    assert config.landable == ("grass", "ground")
+    assert config.to_dict()["landable"] == ["grass", "ground"]
+    assert MissionConfig.from_toml(config.to_toml()).landable == ("grass", "ground")
+    assert MissionConfig.from_dict(config.to_dict()).landable == ("grass", "ground")
+    assert MissionConfig.from_toml("landable = ['water']").landable == ("water",)
+    assert MissionConfig.from_toml("landable = 'strict'").landable == "strict"
+
+
+def test_the_landing_limits_are_a_table() -> None:
+    config = MissionConfig.from_toml("[landing]\nmax_slope = 4\ngear_radius = 0.5")
+    assert config.landing == LandingLimits(max_slope=4.0, gear_radius=0.5)
+    assert MissionConfig.from_toml(config.to_toml()).landing == config.landing
+    assert MissionConfig().landing == LandingLimits()
+    with pytest.raises(ValueError, match="landing = 3: expected LandingLimits"):
+        MissionConfig(landing=3)  # type: ignore[arg-type]
+
+
+def test_every_setting_is_written_with_what_it_means_and_reads_back() -> None:
+    config = MissionConfig(planner="ggwp", landable=["grass"])
+    lines = config.to_toml().splitlines()
+    settings = [line for line in lines if line]
+    assert len(settings) > 70
+    for line in settings:
+        key, _, meaning = line.partition("  # ")
+        assert len(meaning) > 5, key
+        if "deg" in key.partition("=")[0] or "slope" in key:
+            assert "[deg]" in meaning
+    text = config.to_toml()
+    for unit in ("[m/s]", "[m/s^2]", "[m]", "[s]", "[deg]", "[MB]"):
+        assert unit in text
+    assert MissionConfig.from_toml(text).to_dict() == config.to_dict()
+    assert MissionConfig.from_toml(text).to_toml() == text

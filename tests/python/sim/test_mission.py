@@ -10,7 +10,7 @@ import pytest
 import ltp
 from ltp.sim import MissionSetup, Outcome, Step
 from ltp.sim.log import FlightLog
-from ltp.world import LandClass, World
+from ltp.world import LandClass, LandingLimits, World
 
 
 def flat_world(size: int = 240) -> np.ndarray:
@@ -218,6 +218,19 @@ def test_a_strange_global_path_is_refused_by_name(path: np.ndarray) -> None:
 
 
 def test_an_unknown_preset_of_landing_ground_is_refused_by_name() -> None:
-    config = small_config(landable="everywhere")
+    with pytest.raises(ValueError, match="everywhere"):
+        small_config(landable="everywhere")
+    config = small_config()
+    config.landable = ["grass", "everywhere"]
     with pytest.raises(ValueError, match="everywhere"):
         ltp.fly(make_world(flat_world()), config, line((40, 40), (60, 40)))
+
+
+def test_the_limits_of_landing_ground_are_the_missions() -> None:
+    heights = np.add.outer(np.arange(240.0), np.zeros(240)) * np.tan(np.radians(12.0))
+    classes = np.full(heights.shape, LandClass.GRASS, np.uint8)
+    world, path = World("ramp", heights, heights, classes, 1.0), line((40, 40), (60, 40))
+    path[:, 2] += 60.0
+    for limit, share in ((10.0, 0.0), (15.0, 1.0)):
+        config = small_config(landing=LandingLimits(max_slope=limit), landable=["grass"])
+        assert (MissionSetup.of(world, config, path).priority.values == share).all()

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike, NDArray
 
-from ltp.world import LANDABLE_PRESETS, LandClass, LandingLimits, World, landable_mask
+from ltp.world import LANDABLE_PRESETS, LandClass, LandingLimits, LandingRules, World, landable_mask
 from ltp.world.flatness import flatness
 
 CELLS = [0.1, 0.25, 0.5, 1.0, 2.0, 5.0]
@@ -263,8 +263,10 @@ def test_the_limits_are_the_rules() -> None:
     limits = LandingLimits(max_slope=3.0, clearance=1.0)
     expected = landable_mask(world, max_slope=3.0, clearance=1.0)
     np.testing.assert_array_equal(landable_mask(world, **limits.rules()), expected)
+    assert not landable_mask(world, **limits.rules(["water"])).any()
     assert landable_mask(world).sum() > 0 == expected.sum()
-    assert set(limits.rules()) == {item.name for item in dataclasses.fields(LandingLimits)}
+    names = {item.name for item in dataclasses.fields(LandingLimits)}
+    assert limits.rules().keys() == {"landable", *names} == LandingRules.__annotations__.keys()
     assert str(LandingLimits()) == (
         "at most 10 degrees steep and 0.2 m rough within 1 m, 0.5 m above the bare ground"
     )
