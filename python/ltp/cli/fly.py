@@ -93,7 +93,7 @@ def fly(
     if old_waypoints:
         note("--way-points is now --waypoints; the old name goes with the next release")
         waypoints = waypoints or old_waypoints
-    path = read_waypoints(waypoints) if waypoints else global_paths.one(place, scenario)
+    path = read_waypoints(waypoints, place) if waypoints else global_paths.one(place, scenario)
     out.mkdir(parents=True, exist_ok=True)
     record, sensed, recorded = fly_recorded(
         place, settings, path, out / "flight.rrd", recording, settings.planner

@@ -13,6 +13,7 @@ from ltp._core import HeightSurface, Raster, path_length
 from ltp.brief import brief
 from ltp.config import MissionConfig
 from ltp.world import World, priority_map
+from ltp.world.off_world import refuse_off_world
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +38,7 @@ class MissionSetup:
         config = copy.copy(config)  # whatever becomes of the caller's
         config.check()
         path = _checked_path(global_path)
+        refuse_off_world(world, path)
         surface = HeightSurface(world.surface_raster())
         return cls(world, config, path, surface, _priority(world, config, path))
 

@@ -4,10 +4,12 @@
 
 from pathlib import Path
 
+import pytest
+
 from ltp.config import MissionConfig
 from ltp.sim.record import FlightRecord
 
-from .runner import SHORT, succeed
+from .runner import SHORT, fail, succeed
 
 
 def test_fly_writes_record_figure_and_recording(world: str, tmp_path: Path) -> None:
@@ -45,3 +47,24 @@ def test_fly_takes_settings_from_a_file_and_waypoints_from_a_table(
     assert record.config.planner == "lp-a-star"
     assert (weights.length, weights.priority) == (0.25, 2.0)
     assert not (tmp_path / "o" / "flight.rrd").exists()
+
+
+@pytest.mark.parametrize(
+    ("table", "complaint"),
+    [
+        ("20,20,30\n20,700,30\n", "points.csv: waypoints[1] = (20, 700) lies off town"),
+        ("2.3501,48.8502,30\n2.3511,48.8513,30\n", "look like degrees"),
+        ("584100,4511200,30\n584300,4511500,30\n", "look like map coordinates"),
+        ("20,20,nan\n20,60,30\n", "points.csv: waypoint 0 is not finite"),
+        ("20,20\n20,60\n", "points.csv: expected two lines x,y,z or more"),
+    ],
+)
+def test_waypoints_that_are_not_over_the_world_are_refused(
+    table: str, complaint: str, world: str, tmp_path: Path
+) -> None:
+    points = tmp_path / "points.csv"
+    points.write_text(table)
+    told = fail("fly", world, "--waypoints", points, "--out", tmp_path / "o")
+    assert complaint in told
+    assert "lies off" not in told or "covers x = 0 ... 260 m, y = 0 ... 220 m" in told
+    assert not (tmp_path / "o").exists()
