@@ -39,6 +39,13 @@ class GlobalPaths:
     margin: Annotated[
         float, typer.Option(help="Distance between a path and the world's edge [m].")
     ] = 20.0
+    clearance: Annotated[
+        float,
+        typer.Option(
+            help="Distance between a path's start and all that stands on the ground, which does "
+            "not count itself [m]."
+        ),
+    ] = 10.0
     through_buildings: Annotated[
         float, typer.Option(help="Share of the global paths that must cross a building, 0...1.")
     ] = 1.0

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from ltp._core import Raster
 
 _REFERENCES = ("ground", "datum")
+_STANDS = 0.5  # what is no higher above the bare ground is part of it, see `LandingLimits` [m]
 _SPACING_TOLERANCE = 1e-9  # of a spacing: no waypoint this close before the end
 
 
@@ -35,7 +36,7 @@ class ScenarioOptions:
     altitude: float = 50.0  # height of the waypoints above `reference` [m]
     reference: str = "ground"  # "ground": above the bare ground beneath each; "datum": z itself
     margin: float = 20.0  # kept between a path and the edge of the world [m]
-    clearance: float = 10.0  # of the start: the UAV is flying there already [m]
+    clearance: float = 10.0  # of the start, from all that stands on the ground [m]
     through_buildings: float = 1.0  # share of the paths that must cross a building, 0...1
     tries: int = 5000  # random lines tried for one path before giving up
 
@@ -80,9 +81,10 @@ def make_scenarios(world: World, options: ScenarioOptions | None = None) -> list
     """Draw the global paths; path i depends on the world, the options and i, not on how many.
 
     Start and direction are uniform; a line is refused and drawn again if its end leaves the world
-    less the margin, if its start is not `clearance` away from anything solid, or if it must cross a
-    building and does not (exact test, waypoint to waypoint). Waypoints other than the start may
-    lie anywhere, inside buildings too.
+    less the margin, if its start is not `clearance` away from all that stands on the ground, or if
+    it must cross a building and does not (exact test, waypoint to waypoint). The ground itself only
+    has to be half as far from the start as it lies below it, `clearance` at most: one may start
+    low. Waypoints other than the start may lie anywhere, inside buildings too.
 
     Raises:
         ValueError: if no line is found in `tries` draws; the message says what they failed at.
@@ -111,6 +113,15 @@ def buildings_raster(world: World) -> "Raster":
     return Raster(heights, origin=world.origin, cell=world.cell)
 
 
+def _standing_raster(world: World, clearance: float) -> "Raster":
+    """Heights of what stands on the ground [m]; the ground itself out of a clearance's reach."""
+    from ltp._core import Raster
+
+    lowest = float(world.ground.min()) - 2.0 * clearance - 1.0
+    heights = np.where(world.height_above_ground > _STANDS, world.surface, lowest)
+    return Raster(heights, origin=world.origin, cell=world.cell, outside=lowest)
+
+
 class _Maker:
     """Draws one scenario at a time over one world."""
 
@@ -119,6 +130,7 @@ class _Maker:
 
         self._options = options
         self._surface: HeightSurface = HeightSurface(world.surface_raster())
+        self._standing: HeightSurface = HeightSurface(_standing_raster(world, options.clearance))
         self._buildings: HeightSurface = HeightSurface(buildings_raster(world))
         self._ground = world.ground_raster()
         self._world = world
@@ -143,8 +155,9 @@ class _Maker:
             if path is None:
                 refused["left the world"] += 1
                 continue
-            if self._surface.clearance(path[:1], options.clearance)[0] < options.clearance:
-                refused["started too near to something solid"] += 1
+            if not self._is_clear(path[:1]):
+                near = f"started too near to something solid (clearance = {options.clearance:g} m)"
+                refused[near] += 1
                 continue
             crosses = self._buildings.first_collision(path) is not None
             if needed and not crosses:
@@ -156,6 +169,17 @@ class _Maker:
             f"no global path number {index} in {self._world.name} at altitude = "
             f"{options.altitude:g} m above {options.reference}: of {options.tries} lines "
             f"{reasons}. Change altitude, length, margin or through_buildings"
+        )
+
+    def _is_clear(self, start: NDArray[np.float64]) -> bool:
+        """Whether a flight may start at a point (1, 3)."""
+        wanted = self._options.clearance
+        height = float(start[0, 2] - self._ground.at(start[0, 0], start[0, 1]))
+        room = min(wanted, height / 2.0)
+        return bool(
+            height > 0.0
+            and self._standing.clearance(start, wanted)[0] >= wanted
+            and self._surface.clearance(start, wanted)[0] >= room
         )
 
     def _draw(self, rng: np.random.Generator) -> NDArray[np.float64] | None:

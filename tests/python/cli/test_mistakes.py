@@ -67,6 +67,12 @@ from .runner import SHORT, fail, run
             ["evaluate", "WORLD", *SHORT, "--altitude", "200"],
             "Change --altitude, --length, --margin or --through-buildings",
         ),
+        (
+            ["evaluate", "WORLD", *SHORT, "--clearance", "400"],
+            "started too near to something solid (--clearance = 400 m)",
+        ),
+        (["fly", "WORLD", *SHORT, "--clearance", "-1"], "--clearance must be >= 0"),
+        (["fly", "WORLD", *SHORT, "--clearance", "nan"], "--clearance must be >= 0"),
         (["table", "missing.csv"], "missing.csv: No such file"),
         (["table", "BAD"], "missing columns"),
         (["table", "EMPTY"], "holds no flights"),

@@ -60,6 +60,48 @@ def test_the_start_is_clear_of_everything_solid() -> None:
         assert np.hypot(*away.T).min() >= 15.0 - 1e-9
 
 
+@pytest.mark.parametrize("altitude", [1.0, 2.0, 5.0, 9.0, 15.0])
+@pytest.mark.parametrize("tilt", [0.0, 0.2])
+def test_the_ground_does_not_count(altitude: float, tilt: float) -> None:
+    flat = town()
+    rng = np.random.default_rng(2)
+    slope = 40.0 + tilt * np.arange(float(flat.shape[0]))[:, None] * np.ones(flat.shape)
+    grass = rng.uniform(0.0, 0.4, flat.shape)  # as a laser sees it: no obstacle
+    world = World("low", slope, slope + np.maximum(flat.surface, grass), flat.classes, 1.0)
+    options = ScenarioOptions(count=12, **(SMALL | {"altitude": altitude}))
+    solid = np.argwhere(flat.surface > 0.0)
+    for scenario in make_scenarios(world, options):
+        x, y, z = scenario.global_path[0]
+        assert z == pytest.approx(altitude + slope[int(x), 0])
+        away = np.maximum(np.maximum(solid - (x, y), (x, y) - solid - 1.0), 0.0)
+        assert np.hypot(*away.T).min() >= 10.0 - 1e-9
+        assert scenario.crosses_building
+
+
+def test_a_start_is_never_in_a_hillside() -> None:
+    steps = np.where(np.arange(300)[:, None] < 150, 0.0, 60.0) * np.ones((300, 300))
+    world = World("cliff", steps, steps, np.ones((300, 300), np.uint8), 1.0)
+    options = ScenarioOptions(
+        count=30, length=120.0, altitude=12.0, reference="datum", through_buildings=0.0
+    )
+    for scenario in make_scenarios(world, options):
+        assert scenario.global_path[0, 0] <= 150.0 - 6.0  # half its height above the ground
+
+
+def test_the_clearance_is_as_wide_as_asked_for() -> None:
+    world = box_world([(60, 140, 40, 120)])
+    starts = {}
+    for clearance in (0.0, 3.0, 20.0):
+        made = make_scenarios(world, ScenarioOptions(count=60, clearance=clearance, **SMALL))
+        x, y = np.array([scenario.global_path[0, :2] for scenario in made]).T
+        gap = np.hypot(
+            np.maximum(np.maximum(60 - x, x - 140), 0), np.maximum(np.maximum(40 - y, y - 120), 0)
+        )
+        starts[clearance] = gap.min()
+        assert gap.min() >= clearance
+    assert starts[0.0] < starts[3.0] + 1e-9 and starts[3.0] < 20.0
+
+
 def test_the_same_seed_gives_the_same_paths_whatever_their_number() -> None:
     world = town()
     few = make_scenarios(world, ScenarioOptions(count=3, **SMALL))
