@@ -6,21 +6,27 @@ from typing import TYPE_CHECKING
 
 from ltp.renamed import old_names
 
+from .by_hand import boxes
 from .city import make_city
 from .classes import CLASS_COLOURS, LANDABLE_PRESETS, LandClass
 from .landable import LandingLimits, LandingRules, landable_mask
 from .priority import binary_priority, footprint, lowpass_priority, priority_map
+from .shapes import Box, Cylinder, Prism
 from .world import Datum, World
 
 __all__ = [
     "CLASS_COLOURS",
     "LANDABLE_PRESETS",
+    "Box",
+    "Cylinder",
     "Datum",
     "LandClass",
     "LandingLimits",
     "LandingRules",
+    "Prism",
     "World",
     "binary_priority",
+    "boxes",
     "footprint",
     "landable_mask",
     "lowpass_priority",

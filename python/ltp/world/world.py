@@ -3,6 +3,7 @@
 """`World`: ground, obstacle surface and land classes of one place, on one metric frame."""
 
 import os
+from collections.abc import Iterable
 from dataclasses import asdict, dataclass, fields
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +13,9 @@ from numpy.typing import NDArray
 from ltp.files import blamed_on
 
 from .archive import SOUND, read_fields, write_fields
-from .checks import corner, finite, heights, land_classes, positive, sentences, text
+from .checks import corner, finite, heights, land_classes, not_negative, positive, sentences, text
+from .classes import LandClass
+from .shapes import Extent, Shape, checked, extent_of, raise_shapes
 
 if TYPE_CHECKING:
     from ltp._core import Raster
@@ -140,6 +143,52 @@ class World:
         """
         values = {field.name: getattr(self, field.name) for field in fields(self)}
         write_fields({**values, "datum": asdict(self.datum)}, path)
+
+    @staticmethod
+    def from_shapes(
+        shapes: Iterable[Shape],
+        *,
+        size: tuple[float, float] | None = None,
+        extent: Extent | None = None,
+        margin: float = 50.0,
+        cell: float = 1.0,
+        ground: float = 0.0,
+        land: LandClass | str = LandClass.GRASS,
+        name: str = "shapes",
+        attribution: str = "",
+    ) -> "World":
+        """Boxes, cylinders and prisms on flat ground; see also `ltp.world.boxes`.
+
+        A cell that a shape reaches into is as high as the shape; of several, as the highest. What
+        reaches beyond the world is cropped.
+
+        Args:
+            shapes: each a `Box`, `Cylinder` or `Prism`, its height above the ground.
+            size: of the world along x and y, from (0, 0) [m].
+            extent: (x_min, y_min, x_max, y_max) instead [m]. Whole cells cover either.
+            margin: round the shapes, where neither is given [m].
+            cell: edge of a cell [m].
+            ground: height of the ground above the datum [m].
+            land: class of the ground between the shapes.
+            name: of the world.
+            attribution: line that must stand beside every picture.
+
+        Raises:
+            ValueError: naming the argument that is wrong, or the shape that lies off the world.
+        """
+        shapes = checked(shapes)
+        if size is not None and extent is not None:
+            raise ValueError("size and extent must not both be given")
+        if size is not None:
+            try:
+                across, up = size
+            except (TypeError, ValueError):
+                raise ValueError(f"size must be two lengths (x, y) [m], not {size!r}") from None
+            extent = 0.0, 0.0, positive("size[0]", across), positive("size[1]", up)
+        elif extent is None:
+            extent = extent_of(shapes, not_negative("margin", margin), positive("cell", cell))
+        raised = raise_shapes(shapes, extent, cell, ground, land)
+        return World(name=name, attribution=attribution, **raised._asdict())
 
     @staticmethod
     def load(path: str | os.PathLike[str]) -> "World":
