@@ -9,6 +9,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from ltp import _core
 from ltp.world import World
 
@@ -41,6 +43,14 @@ def world_digest(world: World) -> str:
     digest = hashlib.sha256(repr((world.name, world.shape, world.cell, world.origin)).encode())
     for array in (world.ground, world.surface, world.classes):
         digest.update(array.data)
+    return digest.hexdigest()
+
+
+def raster_digest(raster: _core.Raster) -> str:
+    """Digest of all that a flight sees of a priority map."""
+    frame = (raster.shape, tuple(raster.origin), raster.cell, raster.outside)
+    digest = hashlib.sha256(repr(frame).encode())
+    digest.update(np.ascontiguousarray(raster.values).data)
     return digest.hexdigest()
 
 

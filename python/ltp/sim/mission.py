@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from numpy.typing import ArrayLike
 
-from ltp._core import Lidar, LocalTrajectoryPlanner, NavigationStatus, Pose, Scan
+from ltp._core import Lidar, LocalTrajectoryPlanner, NavigationStatus, Pose, Raster, Scan
 from ltp.config import MissionConfig
 from ltp.sim.decisions import DecisionLog
 from ltp.sim.guidance import PathFollower
@@ -28,8 +28,9 @@ class Mission:
         config: MissionConfig,
         global_path: ArrayLike,
         observers: Sequence[Observer] = (),
+        priority: Raster | None = None,
     ) -> None:
-        self.setup = MissionSetup.of(world, config, global_path)
+        self.setup = MissionSetup.of(world, config, global_path, priority)
         start = self.setup.global_path[0]
         self.observers = observers
         self.lidar = Lidar(config.lidar)
@@ -111,6 +112,7 @@ def fly(
     config: MissionConfig,
     global_path: ArrayLike,
     observers: Sequence[Observer] = (),
+    priority: Raster | None = None,
 ) -> FlightRecord:
     """Fly a mission over a world.
 
@@ -120,8 +122,10 @@ def fly(
         global_path: (n, 3), n >= 2, world [m]; the UAV starts at its first point, the others are
             its waypoints. It may lead through buildings.
         observers: told of every step, in order.
+        priority: a priority map in [0, 1] to fly with instead of that of the world and the
+            configuration; `priority_map` "lpf" averages it over the camera's footprint.
 
     Returns:
         The record of the flight; the same for the same arguments, but for wall times.
     """
-    return Mission(world, config, global_path, observers).fly()
+    return Mission(world, config, global_path, observers, priority).fly()

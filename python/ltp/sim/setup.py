@@ -4,7 +4,7 @@
 
 import copy
 from dataclasses import dataclass
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +14,7 @@ from ltp.brief import brief
 from ltp.config import MissionConfig
 from ltp.world import World, priority_map
 from ltp.world.off_world import refuse_off_world
+from ltp.world.priority import seen_priority
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,8 +30,14 @@ class MissionSetup:
     __repr__ = brief
 
     @classmethod
-    def of(cls, world: World, config: MissionConfig, global_path: ArrayLike) -> Self:
-        """Prepare a mission.
+    def of(
+        cls,
+        world: World,
+        config: MissionConfig,
+        global_path: ArrayLike,
+        priority: Raster | None = None,
+    ) -> Self:
+        """Prepare a mission: see `fly`.
 
         Raises:
             ValueError: for a configuration or a global path that cannot be flown; it is named.
@@ -40,7 +47,7 @@ class MissionSetup:
         path = _checked_path(global_path)
         refuse_off_world(world, path)
         surface = HeightSurface(world.surface_raster())
-        return cls(world, config, path, surface, _priority(world, config, path))
+        return cls(world, config, path, surface, _priority(world, config, path, priority))
 
     @property
     def waypoints(self) -> NDArray[np.float64]:
@@ -77,13 +84,18 @@ def _checked_path(global_path: ArrayLike) -> NDArray[np.float64]:
     return path
 
 
-def _priority(world: World, config: MissionConfig, path: NDArray[np.float64]) -> Raster:
+def _priority(
+    world: World, config: MissionConfig, path: NDArray[np.float64], given: Raster | None
+) -> Raster:
     """The priority map; the camera's footprint is that of the path's mean height above ground."""
     ground = world.ground_raster().at(path[:, 0], path[:, 1])
     height = max(1.0, float(np.round(np.mean(path[:, 2] - ground))))
+    kind: Any = config.priority_map
+    if given is not None:
+        return seen_priority(given, kind, height, config.fov_deg)
     return priority_map(
         world,
-        config.priority_map,  # type: ignore[arg-type]
+        kind,
         altitude=height,
         fov_deg=config.fov_deg,
         **config.landing.rules(config.landable),

@@ -55,6 +55,17 @@ def not_negative(name: str, value: object) -> float:
     return number
 
 
+def shares(name: str, values: NDArray[Any]) -> None:
+    """Demand shares: finite, from 0 to 1."""
+    sound = (values >= 0.0) & (values <= 1.0)  # NaN is neither
+    if not sound.all():
+        i, j = np.argwhere(~sound)[0]
+        raise ValueError(
+            f"{name} must hold shares from 0 to 1, but [{i}, {j}] is {values[i, j]:g} "
+            f"({np.count_nonzero(~sound)} of {values.size} are none)"
+        )
+
+
 def corner(origin: Any) -> tuple[float, float]:
     """Return `origin` as (x, y); demand two finite numbers."""
     try:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .box_mean import box_mean
-from .checks import finite, positive
+from .checks import finite, positive, shares
 from .landable import LandingRules, all_within, landable_mask
 from .world import World
 
@@ -145,10 +145,38 @@ def priority_map(
     return lowpass_priority(world, height, fov_deg, cell, **rules)
 
 
-def _raster(values: NDArray[np.float64], origin: tuple[float, float], cell: float) -> "Raster":
+def seen_priority(
+    priority: "Raster",
+    kind: Literal["binary", "lpf"] = "binary",
+    altitude_above_ground: float = 50.0,
+    fov_deg: float = CAMERA_FOV,
+) -> "Raster":
+    """A priority map of one's own as a mission flies with it.
+
+    Args:
+        priority: values in [0, 1].
+        kind: "binary" takes it as it is; "lpf" averages it over the camera's square footprint,
+            clipped at the map's border.
+        altitude_above_ground: h [m].
+        fov_deg: full opening angle of the camera [deg].
+
+    Raises:
+        ValueError: if a value is no priority.
+    """
+    shares("priority", priority.values)
+    if kind == "binary":
+        return priority
+    side = footprint(altitude_above_ground, fov_deg) / priority.cell
+    values = box_mean(priority.values, side)
+    return _raster(values, tuple(priority.origin), priority.cell, priority.outside)
+
+
+def _raster(
+    values: NDArray[np.float64], origin: tuple[float, float], cell: float, outside: float = 0.0
+) -> "Raster":
     from ltp._core import Raster
 
-    return Raster(values, origin=origin, cell=cell)
+    return Raster(values, origin=origin, cell=cell, outside=outside)
 
 
 def _fine_cells(

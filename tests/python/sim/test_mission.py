@@ -109,6 +109,23 @@ def test_starting_inside_a_building_is_a_collision_not_a_crash() -> None:
     assert record.min_clearance == 0.0
 
 
+def test_a_priority_map_of_ones_own_is_flown_with() -> None:
+    world, path = make_world(flat_world()), line((40, 100), (180, 100))
+    values = np.zeros((120, 120))
+    values[:, 56:62] = 1.0  # a strip beside the straight line
+    own = ltp.Raster(values, cell=2.0)
+    config = small_config(planner="lp-dijkstra")
+    assert ltp.fly(world, config, path).mean_priority == 1.0
+    record = ltp.fly(world, config, path, priority=own)
+    assert record.complete and 0.5 < record.mean_priority < 1.0
+    assert np.any(record.positions[:, 1] > 111.0)
+    config.priority_map = "lpf"
+    seen = MissionSetup.of(world, config, path, own).priority.values
+    assert 0.0 < seen[60, 50] < 0.3 < seen[60, 59] < 1.0
+    with pytest.raises(ValueError, match="priority must hold shares"):
+        ltp.fly(world, config, path, priority=ltp.Raster(2.0 * values, cell=2.0))
+
+
 class Watcher:
     """Keeps what it is told."""
 

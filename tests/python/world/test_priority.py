@@ -23,7 +23,7 @@ from ltp.world import (
     priority_map,
 )
 from ltp.world.box_mean import box_mean
-from ltp.world.priority import binary_values, ground_values
+from ltp.world.priority import binary_values, ground_values, seen_priority
 
 LANDABLE = sorted(set(LandClass) - {LandClass.TREES})
 
@@ -250,6 +250,19 @@ def test_the_two_kinds_of_map() -> None:
     ):
         with pytest.raises(ValueError, match=message):
             priority_map(world, **changes)
+
+
+def test_a_map_of_ones_own_is_taken_as_it_is_or_as_the_camera_sees_it() -> None:
+    values = np.random.default_rng(8).uniform(0.0, 1.0, (17, 12))
+    own = ltp.Raster(values, origin=(3.0, -5.0), cell=1.5, outside=0.25)
+    assert seen_priority(own) is own
+    seen = seen_priority(own, "lpf", 6.0, 90.0)  # sees 12 m x 12 m
+    np.testing.assert_allclose(seen.values, slow_box_mean(values, np.full((17, 12), 8.0)))
+    assert (tuple(seen.origin), seen.cell, seen.outside) == ((3.0, -5.0), 1.5, 0.25)
+    for bad in (1.01, -0.01, 255.0):
+        values[3, 4] = bad
+        with pytest.raises(ValueError, match=r"priority must hold shares .* \[3, 4\] is"):
+            seen_priority(ltp.Raster(values))
 
 
 @given(

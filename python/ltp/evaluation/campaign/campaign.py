@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
+from ltp._core import Raster
 from ltp.brief import brief
 from ltp.config import MissionConfig
 from ltp.world import World
@@ -69,6 +70,7 @@ class Campaign:
     variants: Sequence[Variant]
     scenarios: Sequence[Scenario]
     base: MissionConfig  # the variants are put into it
+    priority: Raster | None = None  # the map to fly with, if it is not that of the world
 
     __repr__ = brief
 
@@ -77,7 +79,9 @@ class Campaign:
         digest = world_digest(self.world)
         return [
             Flight(
-                flight_key(digest, mission_config(self.base, variant), scenario), variant, scenario
+                flight_key(digest, mission_config(self.base, variant), scenario, self.priority),
+                variant,
+                scenario,
             )
             for variant in unique(self.variants)
             for scenario in self.scenarios
@@ -160,5 +164,5 @@ def _kept(flight: Flight, journal: FlightJournal, records: Path | None) -> bool:
 
 def _crew(campaign: Campaign, records: Path | None, processes: int) -> Crew:
     if processes > 1:
-        return ProcessCrew(campaign.world, campaign.base, records, processes)
-    return SoloCrew(campaign.world, campaign.base, records)
+        return ProcessCrew(campaign.world, campaign.base, records, processes, campaign.priority)
+    return SoloCrew(campaign.world, campaign.base, records, campaign.priority)

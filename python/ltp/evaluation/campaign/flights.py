@@ -7,11 +7,12 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
+from ltp._core import Raster
 from ltp.config import MissionConfig
 from ltp.sim.mission import fly
 from ltp.world import World
 
-from ..digests import row_key
+from ..digests import raster_digest, row_key
 from ..scenarios import Scenario
 from .drops import DropJudge
 from .metrics import flight_row
@@ -37,7 +38,9 @@ def mission_config(base: MissionConfig, variant: Variant) -> MissionConfig:
     return config
 
 
-def flight_key(digest: str, config: MissionConfig, scenario: Scenario) -> str:
+def flight_key(
+    digest: str, config: MissionConfig, scenario: Scenario, priority: Raster | None = None
+) -> str:
     """A digest of everything that decides a flight: program, world, configuration, global path.
 
     Args:
@@ -45,15 +48,17 @@ def flight_key(digest: str, config: MissionConfig, scenario: Scenario) -> str:
         config: of this flight.
         scenario: its global path; the index and the seed of the set count too, as they are in the
             row.
+        priority: the map that it is given, if it is not that of the world.
     """
-    return row_key(
-        {
-            "world": digest,
-            "config": config.to_dict(),
-            "scenario": [scenario.index, scenario.seed],
-            "global_path": scenario.global_path.tolist(),
-        }
-    )
+    facts = {
+        "world": digest,
+        "config": config.to_dict(),
+        "scenario": [scenario.index, scenario.seed],
+        "global_path": scenario.global_path.tolist(),
+    }
+    if priority is not None:
+        facts["priority"] = raster_digest(priority)
+    return row_key(facts)
 
 
 def record_path(folder: Path, key: str) -> Path:
@@ -68,19 +73,27 @@ class Pilot:
         world: where.
         base: the configuration that the variants are put into.
         records: folder for one `FlightRecord` file a flight, named by its key; None keeps none.
+        priority: the map to fly with, if it is not that of the world.
     """
 
-    def __init__(self, world: World, base: MissionConfig, records: Path | None = None) -> None:
+    def __init__(
+        self,
+        world: World,
+        base: MissionConfig,
+        records: Path | None = None,
+        priority: Raster | None = None,
+    ) -> None:
         self._world = world
         self._base = base
         self._records = records
+        self._priority = priority
         self._judge = DropJudge(world, base)
 
     def fly(self, flight: Flight) -> FlightRow:
         """Fly one flight; its record is on the disk before its row is returned."""
         config = mission_config(self._base, flight.variant)
         begin = time.perf_counter()
-        record = fly(self._world, config, flight.scenario.global_path)
+        record = fly(self._world, config, flight.scenario.global_path, priority=self._priority)
         seconds = time.perf_counter() - begin
         if self._records is not None:
             record.save(record_path(self._records, flight.key))

@@ -13,6 +13,7 @@ from multiprocessing.process import BaseProcess
 from pathlib import Path
 from typing import Any, Protocol
 
+from ltp._core import Raster
 from ltp.config import MissionConfig
 from ltp.world import World
 
@@ -31,8 +32,14 @@ class Crew(Protocol):
 class SoloCrew:
     """One flight after the other, in this process."""
 
-    def __init__(self, world: World, base: MissionConfig, records: Path | None) -> None:
-        self._pilot = Pilot(world, base, records)
+    def __init__(
+        self,
+        world: World,
+        base: MissionConfig,
+        records: Path | None,
+        priority: Raster | None = None,
+    ) -> None:
+        self._pilot = Pilot(world, base, records, priority)
 
     def fly(self, flights: Sequence[Flight]) -> Generator[FlightRow, None, None]:
         """See `Crew`."""
@@ -48,9 +55,17 @@ class ProcessCrew:
     """
 
     def __init__(
-        self, world: World, base: MissionConfig, records: Path | None, processes: int
+        self,
+        world: World,
+        base: MissionConfig,
+        records: Path | None,
+        processes: int,
+        priority: Raster | None = None,
     ) -> None:
-        self._arguments = (world, base.to_dict(), records)
+        # A raster cannot be sent to a process, what it is made of can.
+        parts = ("values", "origin", "cell", "outside")
+        sent = {name: getattr(priority, name) for name in parts} if priority is not None else None
+        self._arguments = (world, base.to_dict(), records, sent)
         self._processes = processes
 
     def fly(self, flights: Sequence[Flight]) -> Generator[FlightRow, None, None]:
@@ -122,12 +137,15 @@ def _terminate(processes: Sequence[BaseProcess]) -> None:
 _pilot: Pilot | None = None  # of a worker process
 
 
-def _begin(world: World, base: dict[str, object], records: Path | None) -> None:
+def _begin(
+    world: World, base: dict[str, object], records: Path | None, sent: dict[str, Any] | None
+) -> None:
     """Set a worker up; every flight in it shares the world."""
     global _pilot
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides what Ctrl-C means
     threading.Thread(target=_die_with_parent, daemon=True).start()
-    _pilot = Pilot(world, MissionConfig.from_dict(base), records)
+    priority = None if sent is None else Raster(**sent)
+    _pilot = Pilot(world, MissionConfig.from_dict(base), records, priority)
 
 
 def _die_with_parent() -> None:

@@ -14,8 +14,10 @@ import time
 from collections import Counter
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from ltp._core import Raster
 from ltp.config import MissionConfig
 from ltp.evaluation import digests
 from ltp.evaluation.campaign import (
@@ -113,6 +115,19 @@ def test_another_setting_is_another_flight(tmp_path: Path) -> None:
     others = {flight.key for flight in dataclasses.replace(campaign, base=faster).flights()}
     assert len(keys) == 2 and not keys & others
     assert keys == {flight.key for flight in small_campaign(1).flights()}
+
+
+def test_a_priority_map_of_ones_own_is_another_flight_in_every_process(tmp_path: Path) -> None:
+    campaign = small_campaign(2, VARIANTS[:1])
+    values = np.random.default_rng(3).uniform(0.0, 0.4, (130, 110))
+    own = dataclasses.replace(campaign, priority=Raster(values, cell=2.0))
+    other = dataclasses.replace(campaign, priority=Raster(values / 2.0, cell=2.0))
+    keys = [{f.key for f in each.flights()} for each in (campaign, own, other)]
+    assert len(set.union(*keys)) == 6
+    alone = run_campaign(own, tmp_path / "one")
+    assert all(row.mean_priority < 0.4 for row in alone)
+    run_campaign(own, tmp_path / "two", processes=2)
+    assert untimed(tmp_path / "one" / TABLE) == untimed(tmp_path / "two" / TABLE)
 
 
 def test_another_build_flies_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
