@@ -9,9 +9,18 @@ import typer
 
 from .campaign_tables import write_tables
 from .global_paths import GlobalPaths
-from .inputs import names, numbers, open_config, open_world, planner_names, read_flights, workers
+from .inputs import (
+    names,
+    numbers,
+    open_config,
+    open_priority,
+    open_world,
+    planner_names,
+    read_flights,
+    workers,
+)
 from .naming import naming
-from .options import Config, PriorityMaps, Processes, ResumedFolder, WorldArgument
+from .options import Config, PriorityFile, PriorityMaps, Processes, ResumedFolder, WorldArgument
 from .output import console, resumable, say, tell
 from .spread import spread
 
@@ -51,6 +60,7 @@ def evaluate(
         ),
     ] = "",
     maps: PriorityMaps = "binary,lpf",
+    priority: PriorityFile = None,
     refine: Annotated[
         bool,
         typer.Option("--refine", help="Fly each of these with refined paths too."),
@@ -83,7 +93,7 @@ def evaluate(
     )
     with resumable(out, "flown"):
         run_campaign(
-            Campaign(place, variants, scenarios, base),
+            Campaign(place, variants, scenarios, base, open_priority(priority, place)),
             out,
             processes=workers(processes),
             keep_records=records,

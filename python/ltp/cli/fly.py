@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from .global_paths import GlobalPaths
-from .inputs import open_config, open_world, telling_old_names
+from .inputs import open_config, open_priority, open_world, telling_old_names
 from .naming import naming
-from .options import Config, ScenarioIndex, WorldArgument
+from .options import Config, PriorityFile, ScenarioIndex, WorldArgument
 from .output import note, say, tell, tell_recording
 from .recorded_flight import draw_summary, fly_recorded
 from .spread import spread
@@ -39,6 +39,7 @@ def fly(
     priority_map: Annotated[
         str | None, typer.Option(help="Priority map: `binary`, or `lpf` for the low-pass map.")
     ] = None,
+    priority: PriorityFile = None,
     refine: Annotated[
         bool | None,
         typer.Option(help="Free the paths from the grid's directions."),
@@ -71,6 +72,8 @@ def fly(
     Settings come from --config; the options named here win over it. The global path is one of the
     seeded ones, unless --waypoints gives another.
     """
+    from ltp.world.off_world import refuse_off_world
+
     place = open_world(world)
     settings = open_config(config)
     of_planner = settings.planner_options
@@ -93,10 +96,15 @@ def fly(
     if old_waypoints:
         note("--way-points is now --waypoints; the old name goes with the next release")
         waypoints = waypoints or old_waypoints
-    path = read_waypoints(waypoints, place) if waypoints else global_paths.one(place, scenario)
+    if waypoints:
+        path = read_waypoints(waypoints)
+        refuse_off_world(place, path, f"{waypoints}: waypoints")
+    else:
+        path = global_paths.one(place, scenario)
+    own_priority = open_priority(priority, place)
     out.mkdir(parents=True, exist_ok=True)
     record, sensed, recorded = fly_recorded(
-        place, settings, path, out / "flight.rrd", recording, settings.planner
+        place, settings, path, out / "flight.rrd", recording, settings.planner, own_priority
     )
     record.save(out / "flight.npz")
     _report(record)

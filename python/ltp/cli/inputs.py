@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from .output import note
 
 if TYPE_CHECKING:
+    from ltp._core import Raster
     from ltp.config import MissionConfig
     from ltp.evaluation.campaign.rows import FlightRow
     from ltp.world import World
@@ -41,6 +42,20 @@ def open_config(path: Path | None) -> "MissionConfig":
         return MissionConfig()
     with telling_old_names(path):
         return MissionConfig.load(path)
+
+
+def open_priority(path: Path | None, world: "World") -> "Raster | None":
+    """The priority map in a file, if one is given; what is worth knowing of it goes to stderr."""
+    from ltp.world.importers.priority import read_priority
+
+    if path is None:
+        return None
+    if not path.exists():
+        raise ValueError(f"--priority: {path}: no such file")
+    given = read_priority(path, world)
+    for finding in given.report:
+        note(finding)
+    return given.raster
 
 
 @contextmanager

@@ -43,6 +43,14 @@ PriorityMap = Annotated[str, typer.Option("--map", help="Priority map: `binary` 
 PriorityMaps = Annotated[
     str, typer.Option("--maps", help="Priority maps, with commas between: `binary`, `lpf` or both.")
 ]
+PriorityFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--priority",
+        help="Priority map to fly with instead of that of the land classes: a GeoTIFF in the "
+        "world's CRS or an .npz of values, origin and cell; shares from 0 to 1.",
+    ),
+]
 Ratio = Annotated[float, typer.Option(help="Ratio of the weights, W_P / W_L.")]
 Memory = Annotated[float, typer.Option(help="Memory that the exact search may use [MB].")]
 

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from ltp._core import Raster
     from ltp.config import MissionConfig
     from ltp.sim.record import FlightRecord
     from ltp.world import World
@@ -24,6 +25,7 @@ def fly_recorded(
     recording: Path,
     wanted: bool | None,
     title: str,
+    priority: "Raster | None" = None,
 ) -> tuple["FlightRecord", Any, Path | None]:
     """Fly with progress, gather what was sensed, and record for the viewer if wanted.
 
@@ -45,7 +47,7 @@ def fly_recorded(
             from ltp.viewer import FlightRecording
 
             observers.append(stack.enter_context(FlightRecording(recording)))
-        record = fly_mission(world, config, global_path, observers)
+        record = fly_mission(world, config, global_path, observers, priority)
     if not recorded and wanted is None:
         say(f"no recording: it needs {pip_install('viewer')}")
     return record, sensed, recording if recorded else None

@@ -10,18 +10,10 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from ltp.world import World
 
-
-def read_waypoints(path: Path, world: "World") -> "NDArray[np.float64]":
-    """The waypoints in a CSV, (n, 3) [m]: x,y,z a line; lines with # in front are left out.
-
-    Raises:
-        ValueError: naming the file, if it holds none, or one that does not lie over the world.
-    """
+def read_waypoints(path: Path) -> "NDArray[np.float64]":
+    """The waypoints in a CSV, (n, 3) [m]: x,y,z a line; lines with # in front are left out."""
     import numpy as np
-
-    from ltp.world.off_world import refuse_off_world
 
     try:
         with path.open(newline="", encoding="utf-8") as file:
@@ -34,5 +26,4 @@ def read_waypoints(path: Path, world: "World") -> "NDArray[np.float64]":
     if not np.isfinite(points).all():
         where = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
         raise ValueError(f"{path}: waypoint {where} is not finite: {tuple(points[where].tolist())}")
-    refuse_off_world(world, points, f"{path}: waypoints")
     return points

@@ -21,7 +21,7 @@ _CHUNK = 1 << 20
 
 _HEADER = re.compile(
     rb"\{'descr': '(?P<dtype>[<>|=]\w{1,8})', 'fortran_order': (?P<order>False|True), "
-    rb"'shape': \((?P<shape>\d{1,12},(?: \d{1,12}(?:, \d{1,12})?)?)\), \} *\n"
+    rb"'shape': \((?P<shape>(?:\d{1,12},(?: \d{1,12}(?:, \d{1,12})?)?)?)\), \} *\n"
 )
 
 Shape = Sequence[int | None]

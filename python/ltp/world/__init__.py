@@ -9,6 +9,7 @@ from ltp.renamed import old_names
 from .by_hand import boxes
 from .city import make_city
 from .classes import CLASS_COLOURS, LANDABLE_PRESETS, LandClass
+from .importers.priority import read_priority, save_priority
 from .landable import LandingLimits, LandingRules, landable_mask
 from .priority import binary_priority, footprint, lowpass_priority, priority_map
 from .shapes import Box, Cylinder, Prism
@@ -32,6 +33,8 @@ __all__ = [
     "lowpass_priority",
     "make_city",
     "priority_map",
+    "read_priority",
+    "save_priority",
 ]
 
 if not TYPE_CHECKING:  # type checkers know the new names only

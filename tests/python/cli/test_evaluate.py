@@ -5,6 +5,9 @@
 import dataclasses
 from pathlib import Path
 
+import numpy as np
+import pytest
+
 from ltp.evaluation.campaign.rows import read_rows
 
 from .runner import SHORT, fail, succeed
@@ -44,6 +47,15 @@ def test_evaluate_table_and_sweep(world: str, tmp_path: Path) -> None:
     assert "was flown over town, not over built-in city" in fail(
         "figure", "sweep", out, "city", "--out", tmp_path / "no.png"
     )
+
+
+def test_a_priority_map_of_ones_own_is_flown_with(world: str, tmp_path: Path) -> None:
+    np.savez(tmp_path / "own.npz", values=np.full((130, 110), 0.25), origin=(0, 0), cell=2)
+    command = ["evaluate", world, *SHORT, "--paths", "1", "--planners", "ggwp", "--processes", "1"]
+    out = tmp_path / "campaign"
+    succeed(*command, "--out", out, "--priority", tmp_path / "own.npz")
+    rows = read_rows(out / "flights.csv")
+    assert len(rows) == 1 and rows[0].mean_priority == pytest.approx(0.25)
 
 
 def test_a_sweep_of_chosen_planners_is_compared_and_drawn(world: str, tmp_path: Path) -> None:

@@ -4,12 +4,13 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from ltp.config import MissionConfig
 from ltp.sim.record import FlightRecord
 
-from .runner import SHORT, fail, succeed
+from .runner import SHORT, fail, run, succeed
 
 
 def test_fly_writes_record_figure_and_recording(world: str, tmp_path: Path) -> None:
@@ -68,3 +69,47 @@ def test_waypoints_that_are_not_over_the_world_are_refused(
     assert complaint in told
     assert "lies off" not in told or "covers x = 0 ... 260 m, y = 0 ... 220 m" in told
     assert not (tmp_path / "o").exists()
+
+
+def own_map(path: Path, size: int = 130) -> Path:
+    values = np.full((size, 110), 0.25)
+    values[:, ::2] = 0.75
+    np.savez(path, values=values, origin=(0, 0), cell=2)
+    return path
+
+
+def test_a_priority_map_of_ones_own_is_flown_with(world: str, tmp_path: Path) -> None:
+    own, out = own_map(tmp_path / "own.npz"), tmp_path / "out"
+    options = [*SHORT, "--planner", "ggwp", "--no-recording", "--out", out, "--priority", own]
+    succeed("fly", world, *options)
+    assert 0.25 < FlightRecord.load(out / "flight.npz").mean_priority < 0.75
+    succeed("fly", world, *options, "--priority-map", "lpf")
+    seen = FlightRecord.load(out / "flight.npz")
+    assert seen.mean_priority == pytest.approx(0.5, abs=0.03)
+    result = run("fly", world, *options, "--priority", own_map(tmp_path / "half.npz", 65))
+    assert result.exit_code == 0
+    assert "half.npz covers 50.0 % of town; elsewhere the priority is 0" in result.stderr
+
+
+@pytest.mark.parametrize("command", ["fly", "evaluate"])
+def test_what_is_no_priority_map_is_refused(command: str, world: str, tmp_path: Path) -> None:
+    bad = tmp_path / "bad.npz"
+    np.savez(bad, values=np.full((9, 9), 7.0), origin=(0, 0), cell=2)
+    out = ["--out", tmp_path / "out"]
+    told = fail(command, world, *SHORT, "--priority", bad, *out)
+    assert "bad.npz: values must hold shares from 0 to 1" in told
+    assert "no such file" in fail(command, world, *SHORT, "--priority", tmp_path / "no.npz", *out)
+    assert "is not a sound" in fail(command, world, *SHORT, "--priority", world, *out)
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_list_of_classes_and_the_limits_come_from_a_file(world: str, tmp_path: Path) -> None:
+    config, out = tmp_path / "config.toml", tmp_path / "out"
+    config.write_text('planner = "ggwp"\nlandable = ["water"]\n[landing]\nmax_slope = 5\n')
+    succeed("fly", world, *SHORT, "--config", config, "--no-recording", "--out", out)
+    record = FlightRecord.load(out / "flight.npz")
+    assert record.mean_priority == 0.0
+    assert record.config.landable == ("water",) and record.config.landing.max_slope == 5.0
+    config.write_text('landable = ["watr"]\n')
+    told = fail("fly", world, *SHORT, "--config", config, "--out", out)
+    assert "config.toml: landable must be land classes: 'watr' is none of unknown, grass" in told

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ltp._core import OctreeSurface
+from ltp._core import OctreeSurface, Raster
 from ltp.cli.waypoints import read_waypoints
 from ltp.config import MissionConfig
 from ltp.evaluation.campaign.campaign import FlightJournal
@@ -19,7 +19,7 @@ from ltp.evaluation.gap.queries import QuerySet, RecordedQuery
 from ltp.evaluation.gap.rows import PLANS, GapRow, read_gaps
 from ltp.evaluation.sensed import CellMap
 from ltp.sim import FlightRecord
-from ltp.world import World
+from ltp.world import World, boxes, read_priority, save_priority
 from tests.python.scenes import event, record, row
 
 
@@ -49,6 +49,15 @@ def _queries(path: Path) -> None:
 def _world(path: Path) -> None:
     ground = np.arange(12.0).reshape(4, 3)
     World("boxes", ground, ground + 1.0, np.zeros((4, 3), np.uint8), 1.0, report=("so",)).save(path)
+
+
+def _priority(path: Path) -> None:
+    values = np.linspace(0.0, 1.0, 12).reshape(4, 3)
+    save_priority(Raster(values, origin=(-1.0, 2.0), cell=2.0), path)
+
+
+def _read_priority(path: Path) -> None:
+    read_priority(path, boxes([], extent=(-3.0, 0.0, 9.0, 12.0)))
 
 
 def _journal(path: Path) -> None:
@@ -143,6 +152,7 @@ READERS = (
     Reader("world.npz", World.load, _world),
     Reader("flight.npz", FlightRecord.load, lambda path: record([event(1)]).save(path)),
     Reader("queries.npz", QuerySet.load, _queries),
+    Reader("priority.npz", _read_priority, _priority),
     Reader(
         "tree.bt",
         OctreeSurface,

@@ -126,7 +126,7 @@ def run_campaign(
     observers = list(observers)
     flights = campaign.flights()
     with FlightJournal(folder / JOURNAL) as journal:
-        held = open_folder(folder, TABLE, campaign.world, campaign.base, flights)
+        held = open_folder(folder, TABLE, campaign.world, campaign.base, flights, campaign.priority)
         # Scenario by scenario: slow and fast planners take turns, which steadies the time left.
         waiting = [flight for flight in flights if not _kept(flight, journal, records)]
         waiting.sort(key=lambda flight: flight.scenario.index)

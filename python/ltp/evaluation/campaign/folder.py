@@ -14,6 +14,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, get_origin, get_type_hints
 
+from ltp._core import Raster
 from ltp.config import MissionConfig
 from ltp.files import atomic_write
 from ltp.world import World
@@ -38,12 +39,18 @@ class Folder:
     flights: list[str] = field(default_factory=list)  # keys, in the order of the table
 
     @staticmethod
-    def of(world: World, base: MissionConfig, flights: Sequence[Flight]) -> "Folder":
+    def of(
+        world: World,
+        base: MissionConfig,
+        flights: Sequence[Flight],
+        priority: Raster | None = None,
+    ) -> "Folder":
         """What a campaign's folder holds once it is flown."""
+        own = {} if priority is None else {"priority": digests.raster_digest(priority)}
         return Folder(
             world.name,
             digests.world_digest(world),
-            _settings(base),
+            _settings(base) | own,
             digests.program_digest(),
             {_number(flight.scenario): _path_digest(flight.scenario) for flight in flights},
             [flight.key for flight in flights],
@@ -97,7 +104,12 @@ class Folder:
 
 
 def open_folder(
-    folder: Path, table: str, world: World, base: MissionConfig, flights: Sequence[Flight]
+    folder: Path,
+    table: str,
+    world: World,
+    base: MissionConfig,
+    flights: Sequence[Flight],
+    priority: Raster | None = None,
 ) -> Folder:
     """Make a folder ready for a campaign's flights; its manifest is on the disk when this returns.
 
@@ -109,7 +121,7 @@ def open_folder(
             global paths.
     """
     path = folder / MANIFEST
-    mine = Folder.of(world, base, flights)
+    mine = Folder.of(world, base, flights, priority)
     theirs = Folder.load(path)
     if theirs is not None:
         if found := theirs.differs(mine):

@@ -126,6 +126,8 @@ def test_a_priority_map_of_ones_own_is_another_flight_in_every_process(tmp_path:
     assert len(set.union(*keys)) == 6
     alone = run_campaign(own, tmp_path / "one")
     assert all(row.mean_priority < 0.4 for row in alone)
+    with pytest.raises(ValueError, match=r"holds flights with other settings \(priority\)"):
+        run_campaign(other, tmp_path / "one")
     run_campaign(own, tmp_path / "two", processes=2)
     assert untimed(tmp_path / "one" / TABLE) == untimed(tmp_path / "two" / TABLE)
 
