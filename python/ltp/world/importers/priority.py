@@ -13,6 +13,7 @@ from ltp.files import atomic_write, blamed_on
 from ltp.files.npz import NpzReader
 from ltp.world.archive import MAX_CELLS
 from ltp.world.checks import shares
+from ltp.world.crs import same_grid
 from ltp.world.world import World
 
 from .geotiff.raster import read_raster
@@ -113,7 +114,7 @@ def _read_tiff(
 ) -> tuple[NDArray[np.float64], int, tuple[float, float], float]:
     """Values, how many are missing, corner and cell."""
     band = read_raster(path)
-    if band.grid.crs != world.datum.crs:
+    if not _alike(band.grid.crs, world.datum.crs):
         raise ValueError(
             f"{path} is in {band.grid.crs or 'no CRS'}, {world.name} in "
             f"{world.datum.crs or 'no CRS'}: give it in that of the world"
@@ -121,6 +122,16 @@ def _read_tiff(
     values = np.where(band.missing, 0.0, band.values).astype(np.float64)
     origin = (band.grid.xmin - world.datum.easting, band.grid.ymin - world.datum.northing)
     return values, int(band.missing.sum()), origin, band.grid.cell
+
+
+def _alike(crs: str | None, other: str | None) -> bool:
+    """Whether two CRSs have one horizontal grid, however they are spelt."""
+    if crs is None or other is None or crs == other:
+        return crs == other
+    try:
+        return same_grid(crs, other)
+    except ValueError:  # one that nobody knows
+        return False
 
 
 def _extent(

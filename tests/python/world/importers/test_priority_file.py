@@ -141,6 +141,17 @@ def test_cells_without_data_count_nothing_and_are_told(tmp_path: Path) -> None:
         read_priority(tiff(tmp_path / "p.tif", image), field(UTM))
 
 
+def test_one_crs_in_other_words_is_the_same(tmp_path: Path) -> None:
+    pyproj = pytest.importorskip("pyproj")
+    image = np.full((11, 13), 0.5, np.float32)
+    for words in (pyproj.CRS("EPSG:32618").to_wkt(), "+proj=utm +zone=18 +datum=WGS84"):
+        raster, _ = read_priority(tiff(tmp_path / "p.tif", image, words), field(UTM))
+        assert raster.at(9.0, 9.0) == 0.5
+    strange = Datum("LOCAL:1", UTM.easting, UTM.northing)
+    with pytest.raises(ValueError, match=r"p\.tif is in EPSG:32618, field in LOCAL:1"):
+        read_priority(tiff(tmp_path / "p.tif", image), field(strange))
+
+
 def test_a_geotiff_elsewhere_is_refused_by_name(tmp_path: Path) -> None:
     image = np.ones((11, 13), np.uint8)
     with pytest.raises(ValueError, match=r"p\.tif is in EPSG:32617, field in EPSG:32618"):
