@@ -12,7 +12,7 @@ from .app import make_group
 from .inputs import open_world
 from .naming import naming
 from .options import PictureFile, WorldArgument
-from .output import tell, tell_report
+from .output import tell, tell_landable, tell_report
 from .saved_world import Cell, WorldFile, save_world
 
 
@@ -43,6 +43,7 @@ def show(
     with naming("altitude"):
         world_picture(place, out, altitude)
     tell_report(place)
+    tell_landable(place)
     tell("picture", out)
 
 

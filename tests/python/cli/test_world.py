@@ -19,7 +19,9 @@ def test_the_built_in_city_is_written_and_shown(tmp_path: Path) -> None:
     city = World.load(path)
     assert city.extent == (0.0, 0.0, 200.0, 200.0) and city.name in said
     picture = tmp_path / "city.png"
-    succeed("world", "show", path, "--out", picture)
+    said = succeed("world", "show", path, "--out", picture)
+    assert "landable, strict: " in said and "landable, wide: " in said
+    assert "at most 10 degrees steep and 0.2 m rough within 1 m" in said
     assert picture.read_bytes().startswith(b"\x89PNG")
 
 
