@@ -54,18 +54,6 @@ def tell_report(world: "World") -> None:
         console().print(f"  {finding}", markup=False, soft_wrap=True)
 
 
-def tell_landable(world: "World") -> None:
-    """Print how much of a world may be landed on, and what that asks for."""
-    from ltp.world import LANDABLE_PRESETS, LandingLimits, landable_mask
-
-    limits = LandingLimits()
-    for name in LANDABLE_PRESETS:
-        mask = landable_mask(world, **limits.rules(name))
-        share = 100.0 * float(mask.mean())
-        console().print(f"  landable, {name}: {mask.sum():,} cells ({share:.1f} %)", markup=False)
-    console().print(f"  (landable is {limits})", markup=False, soft_wrap=True)
-
-
 def tell_recording(path: Path) -> None:
     """Say where a recording was written, and how to look at it."""
     tell("recording", path)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""`ltp world`: write the built-in city, draw a world; below it, import real ones."""
+"""`ltp world`: write the built-in city, show a world; below it, import real ones."""
 
 from pathlib import Path
 from typing import Annotated
@@ -12,13 +12,14 @@ from .app import make_group
 from .inputs import open_world
 from .naming import naming
 from .options import PictureFile, WorldArgument
-from .output import tell, tell_landable, tell_report
+from .output import tell, tell_report
 from .saved_world import Cell, WorldFile, save_world
+from .world_cover import print_cover
 
 
 def register(app: typer.Typer) -> None:
     """Add the commands."""
-    group = make_group("world", "Import, draw and write worlds.")
+    group = make_group("world", "Import, show and write worlds.")
     world_import.register(group)
     group.command("show")(show)
     group.command("city")(city)
@@ -35,15 +36,18 @@ def show(
         ),
     ] = 50.0,
 ) -> None:
-    """Draw height, land classes and both priority maps into one picture."""
+    """Draw a world, and tell its land classes and what its import found.
+
+    The picture holds height, land classes and both priority maps.
+    """
     from ltp.drawing.picture import world_picture
 
     place = open_world(world)
     out.parent.mkdir(parents=True, exist_ok=True)
     with naming("altitude"):
         world_picture(place, out, altitude)
+    print_cover(place)
     tell_report(place)
-    tell_landable(place)
     tell("picture", out)
 
 

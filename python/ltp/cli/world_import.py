@@ -90,6 +90,21 @@ def import_las(
         str | None, typer.Option(help="CRS of the survey, where the file does not say.")
     ] = None,
     convert_heights: ConvertHeights = False,
+    user_classes: Annotated[
+        str,
+        typer.Option(
+            help="Meaning of the classes 64 to 255, which belong to the producer: `ign` is the "
+            "French survey's, `none` nobody's, `auto` what the file says of its origin."
+        ),
+    ] = "auto",
+    meaning: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--class",
+            metavar="CODE=CLASS",
+            help="Meaning of a class of the survey, e.g. 65=building or 70=noise; once for each.",
+        ),
+    ] = None,
     name: Name = "",
     attribution: Attribution = "",
     vertical: Vertical = "as in the survey",
@@ -97,7 +112,8 @@ def import_las(
     """Import a classified airborne laser survey."""
     from ltp.world.importers import las
 
-    with naming("cell", "bounds", "max_gap", "crs", "convert_heights"):
+    options = ("cell", "bounds", "max_gap", "crs", "convert_heights", "user_classes")
+    with naming(*options, class_table="--class"):
         world = las.read(
             file,
             cell=cell,
@@ -105,6 +121,8 @@ def import_las(
             max_gap=max_gap,
             crs=crs,
             convert_heights=convert_heights,
+            user_classes=user_classes,
+            class_table=_class_table(meaning or []),
             name=name,
             attribution=attribution,
             vertical=vertical,

@@ -9,6 +9,7 @@ from ltp.renamed import old_names
 from .by_hand import boxes
 from .city import make_city
 from .classes import CLASS_COLOURS, LANDABLE_PRESETS, LandClass
+from .cover import Cover, land_cover
 from .importers.priority import read_priority, save_priority
 from .landable import LandingLimits, LandingRules, landable_mask
 from .priority import binary_priority, footprint, lowpass_priority, priority_map
@@ -19,6 +20,7 @@ __all__ = [
     "CLASS_COLOURS",
     "LANDABLE_PRESETS",
     "Box",
+    "Cover",
     "Cylinder",
     "Datum",
     "LandClass",
@@ -29,6 +31,7 @@ __all__ = [
     "binary_priority",
     "boxes",
     "footprint",
+    "land_cover",
     "landable_mask",
     "lowpass_priority",
     "make_city",

@@ -28,6 +28,19 @@ class LandClass(enum.IntEnum):
     GROUND = 14  # bare-earth return of a laser survey, cover unknown
 
 
+def land_class(kind: LandClass | str | int) -> LandClass:
+    """The class of that name (in any case) or number.
+
+    Raises:
+        ValueError: if there is none, naming those there are.
+    """
+    try:
+        return LandClass[kind.upper()] if isinstance(kind, str) else LandClass(kind)
+    except (KeyError, ValueError):
+        names = ", ".join(c.name.lower() for c in LandClass)
+        raise ValueError(f"class must be one of {names}, not {kind!r}") from None
+
+
 _STRICT = frozenset({LandClass.GRASS, LandClass.BARE, LandClass.PITCH})
 
 #: Which classes may be landed on. `strict`: soft, open and away from traffic. `wide`: also whatever
@@ -68,17 +81,6 @@ CLASS_COLOURS: Mapping[LandClass, tuple[int, int, int]] = MappingProxyType(
         LandClass.GROUND: (230, 219, 190),
     }
 )
-
-
-def land_class(kind: LandClass | str | int) -> LandClass:
-    """The class of that name (in any case) or number.
-
-    Raises:
-        ValueError: if there is none, naming those there are.
-    """
-    if (found := _class(kind)) is None:
-        raise ValueError(f"class must be one of {_NAMES}, not {kind!r}")
-    return found
 
 
 #: A name in `LANDABLE_PRESETS`, or classes by name or number.

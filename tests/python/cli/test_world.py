@@ -5,10 +5,11 @@
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from ltp.installed import pip_install
-from ltp.world import World
+from ltp.world import World, land_cover
 
 from .runner import SHORT, fail, succeed
 
@@ -19,9 +20,13 @@ def test_the_built_in_city_is_written_and_shown(tmp_path: Path) -> None:
     city = World.load(path)
     assert city.extent == (0.0, 0.0, 200.0, 200.0) and city.name in said
     picture = tmp_path / "city.png"
-    said = succeed("world", "show", path, "--out", picture)
-    assert "landable, strict: " in said and "landable, wide: " in said
-    assert "at most 10 degrees steep and 0.2 m rough within 1 m" in said
+    shown = succeed("world", "show", path, "--out", picture)
+    for cover in land_cover(city):
+        (line,) = (line for line in shown.splitlines() if line.split()[:1] == [cover.kind.name])
+        assert line.split()[1:3] == [f"{cover.cells:,}", f"{100 * cover.share:.2f}"]
+        assert line.rstrip().endswith(", ".join(cover.landable) or "-")
+    assert "landable, strict: " in shown and "landable, wide: " in shown
+    assert "at most 10 degrees steep and 0.2 m rough within 1 m" in shown
     assert picture.read_bytes().startswith(b"\x89PNG")
 
 
@@ -29,6 +34,22 @@ def test_classes_of_rasters_need_a_meaning(tmp_path: Path) -> None:
     command = ["world", "import", "geotiff", "--dsm", "a", "--dem", "b", "--classes", "c"]
     said = fail(*command, "--class", "building=4", "-o", tmp_path / "w.npz")
     assert "--class: expected CODE=CLASS" in said
+
+
+def test_classes_of_surveys_may_be_given_a_meaning(tmp_path: Path) -> None:
+    survey, out = tmp_path / "survey.las", tmp_path / "w.npz"
+    points = pytest.importorskip("laspy").create(point_format=6, file_version="1.4")
+    points.x, points.y, points.z = np.arange(4.0), np.zeros(4), np.array([1.0, 1.0, 9.0, 9.0])
+    points.classification = np.array([2, 2, 65, 66], dtype=np.uint8)
+    points.write(survey)
+    command = ["world", "import", "las", survey, "--cell", "1", "-o", out]
+    assert "--user-classes ign" in succeed(*command)
+    said = succeed(*command, "--class", "65=building", "--class", "66=noise")
+    assert "class 65 (building, as you say): 1 returns, taken for BUILDING" in said
+    assert World.load(out).surface[:, 0].tolist() == [1.0, 1.0, 9.0, 9.0]
+    assert said.splitlines()[1].strip() == World.load(out).report[0]
+    assert "--user-classes must be one of" in fail(*command, "--user-classes", "french")
+    assert "--class must name classes 0 to 255" in fail(*command, "--class", "300=building")
 
 
 @pytest.mark.parametrize(

@@ -14,15 +14,9 @@ from ltp.world.archive import MAX_CELLS
 from ltp.world.classes import LandClass
 
 from ..limits import HEIGHTS
+from .meanings import Codes, Role
 
 Bounds = tuple[float, float, float, float]
-
-# ASPRS classes (LAS 1.4 R15, tables 9 and 10), and those of the French national survey from 64 on.
-_GROUND = (2, 8, 9, 10, 11)  # ground, its key points, water, rail, road surface
-_KINDS = {9: LandClass.WATER, 10: LandClass.RAIL, 11: LandClass.ROAD}
-_VEGETATION = (3, 4, 5)
-_STRUCTURES = (6, 13, 14, 15, 16, 17, 64)  # buildings, wires, masts, bridges, permanent objects
-_DROPPED = (7, 12, 18, 65, 66, 67)  # noise, overlap, high noise, artefacts, virtual points, other
 
 _CELLS_PER_POINT = 100  # with more, the extent in the header is a lie, or the cell a slip
 
@@ -82,14 +76,21 @@ class Lattice:
 class Layers:
     """What the returns of a survey say about each cell, gathered chunk by chunk."""
 
-    def __init__(self, lattice: Lattice, height_unit: float = 1.0) -> None:
-        self.lattice = lattice
+    def __init__(self, lattice: Lattice, codes: Codes, height_unit: float = 1.0) -> None:
+        self.lattice, self.codes = lattice, codes
         self._height_unit = height_unit  # [m]
         n = lattice.shape[0] * lattice.shape[1]
         self._sum, self._count = np.zeros(n), np.zeros(n)
-        self._seen = np.zeros(n, dtype=bool)
+        self._seen, self._drawn, self._undefined = np.zeros((3, n), dtype=bool)
         self._plant, self._structure, self._clutter = np.full((3, n), -np.inf)
-        self._kinds = {kind: np.zeros(n, dtype=bool) for kind in _KINDS.values()}
+        self._kinds = {
+            LandClass(int(kind)): np.zeros(n, dtype=bool)
+            for kind in np.unique(codes.kinds)
+            if kind != LandClass.UNKNOWN
+        }
+        self._counts = np.zeros(256, dtype=np.int64)
+        self._n_withheld = self._n_absurd = self._n_drawn = self._n_outside = 0
+        self._ground_observed = False
 
     def add(self, path: Path, points: Any, *, cropped: bool) -> None:
         """Take in one chunk of returns; those outside the lattice only if it was cut out."""
@@ -97,8 +98,10 @@ class Layers:
         x, y, z = (np.asarray(axis) for axis in (points.x, points.y, points.z))
         z = z * self._height_unit
         kind = np.asarray(points.classification)
-        keep = ~np.isin(kind, _DROPPED) & ~np.asarray(points.withheld, dtype=bool)
-        keep &= (z >= HEIGHTS[0]) & (z <= HEIGHTS[1])
+        role = self.codes.roles[kind]
+        withheld = np.asarray(points.withheld, dtype=bool)
+        plausible = (z >= HEIGHTS[0]) & (z <= HEIGHTS[1])
+        keep = (role != Role.DROPPED) & ~withheld & plausible
         i = lattice.index(x, 0)
         j = lattice.index(y, 1)
         inside = (i >= 0) & (i < lattice.shape[0]) & (j >= 0) & (j < lattice.shape[1])
@@ -108,26 +111,51 @@ class Layers:
                 f"{path} has a return at ({x[where]:.2f}, {y[where]:.2f}), outside of the extent "
                 "in its header"
             )
+        self._counts += np.bincount(kind[inside], minlength=256)
+        self._n_outside += int(np.count_nonzero(~inside))
+        self._n_withheld += int(np.count_nonzero(inside & withheld))
+        self._n_absurd += int(np.count_nonzero(inside & ~withheld & ~plausible))
         keep &= inside
         at = i[keep].astype(np.intp) * lattice.shape[1] + j[keep].astype(np.intp)
-        kind, z = kind[keep], z[keep]
+        kind, role, z = kind[keep], role[keep], z[keep]
 
-        self._seen[at] = True
-        is_ground = np.isin(kind, _GROUND)
+        is_ground = role == Role.GROUND
+        # Ground that nobody saw, drawn in to close a lake or a river: a height, no evidence.
+        drawn = is_ground & np.asarray(points.synthetic, dtype=bool)[keep]
+        self._n_drawn += int(np.count_nonzero(drawn))
+        self._ground_observed |= bool((is_ground & ~drawn).any())
+        self._seen[at[~drawn]] = True
+        self._drawn[at[drawn]] = True
         n = self._seen.size
         self._count += np.bincount(at[is_ground], minlength=n)
         self._sum += np.bincount(at[is_ground], weights=z[is_ground], minlength=n)
-        is_plant, is_structure = np.isin(kind, _VEGETATION), np.isin(kind, _STRUCTURES)
-        # Unclassified, or of a class that nobody knows: an obstacle as well.
-        is_clutter = ~(is_ground | is_plant | is_structure)
         for top, of in (
-            (self._plant, is_plant),
-            (self._structure, is_structure),
-            (self._clutter, is_clutter),
+            (self._plant, role == Role.PLANT),
+            (self._structure, role == Role.STRUCTURE),
+            (self._clutter, (role == Role.CLUTTER) | (role == Role.UNDEFINED)),
         ):
             np.maximum.at(top, at[of], z[of])
-        for code, land in _KINDS.items():
-            self._kinds[land][at[kind == code]] = True
+        self._undefined[at[role == Role.UNDEFINED]] = True
+        land = self.codes.kinds[kind]
+        for of_kind, where in self._kinds.items():
+            where[at[is_ground & (land == of_kind)]] = True
+
+    def report(self) -> list[str]:
+        """Which classes there were and what became of them, a sentence each."""
+        told = self.codes.describe(self._counts)
+        for n, what in (
+            (self._n_withheld, "marked as withheld: dropped"),
+            (self._n_absurd, f"outside of {HEIGHTS[0]:g} ... {HEIGHTS[1]:g} m: dropped as noise"),
+            (self._n_outside, "outside of the bounds: dropped"),
+        ):
+            if n:
+                told.append(f"{n:,} returns {what}")
+        if self._n_drawn and self._ground_observed:
+            told.append(
+                f"{self._n_drawn:,} ground returns are synthetic: they give the ground its height; "
+                "cells that hold nothing else are UNKNOWN"
+            )
+        return told
 
     def _shaped(self, flat: NDArray[Any]) -> NDArray[Any]:
         return flat.reshape(self.lattice.shape)
@@ -139,8 +167,18 @@ class Layers:
 
     @property
     def seen(self) -> NDArray[np.bool_]:
-        """(nx, ny) whether any return came from the cell."""
-        return self._shaped(self._seen)
+        """(nx, ny) whether any return came from the cell, synthetic ones included."""
+        return self._shaped(self._seen | self._drawn)
+
+    @property
+    def drawn(self) -> NDArray[np.bool_]:
+        """(nx, ny) whether the cell holds synthetic ground only, in a survey that saw ground."""
+        return self._shaped(self._drawn & ~self._seen & self._ground_observed)
+
+    @property
+    def undefined(self) -> NDArray[np.bool_]:
+        """(nx, ny) whether the cell holds a return of a class that nobody defines."""
+        return self._shaped(self._undefined)
 
     @property
     def vegetation(self) -> NDArray[np.float64]:

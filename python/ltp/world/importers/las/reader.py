@@ -20,6 +20,7 @@ from ..optional import require
 from .frame import survey_frame
 from .header import check_complete
 from .layers import Bounds, Lattice, Layers
+from .meanings import Codes, Meanings
 
 #: Unclassified returns higher than this above the ground are obstacles: cars, wires, masts [m].
 CLUTTER_HEIGHT = 0.5
@@ -35,6 +36,8 @@ def read(
     max_gap: float = 8.0,
     crs: str | None = None,
     convert_heights: bool = False,
+    user_classes: str = "auto",
+    class_table: Meanings | None = None,
     name: str = "",
     attribution: str = "",
     vertical: str = "as in the survey",
@@ -51,6 +54,12 @@ def read(
         crs: the CRS, where the file does not say.
         convert_heights: scale heights that the file says are in feet, or another unit, to metres;
             else it is refused.
+        user_classes: whose meaning the classes 64 to 255 have, which the standard leaves to the
+            producer. "ign": 64 to 67 are those of the French survey (LiDAR HD); "none": nobody
+            says, and such returns are obstacles where they stand above the ground, else the cell
+            is UNKNOWN; "auto": "ign" if the CRS is French or the header names that agency.
+        class_table: class -> LandClass, its name in any case, its number, or "noise": what the
+            producer means by it; wins over everything else.
         name: name of the world; default: the file name.
         attribution: the line that must stand beside every picture.
         vertical: name of the height datum.
@@ -59,7 +68,8 @@ def read(
         A world whose ground is the mean of the ground returns per cell, interpolated where there is
         none; whose surface is the highest return of a building, bridge, tree or other object in
         the cell. Narrower gaps take after the cells around them, so that roofs have no holes. Cells
-        with something unclassified on them are UNKNOWN; low plants stand on open ground.
+        with something unclassified on them are UNKNOWN; low plants stand on open ground. `report`
+        says which classes there are, how many returns each, and what they were taken for.
 
     Raises:
         ImportError: if laspy with lazrs is not installed.
@@ -78,7 +88,8 @@ def read(
     header, chunks = _open(laspy, path)
     lattice = Lattice.around(path, header, cell, bounds)
     frame = survey_frame(path, header, crs=crs, bounds=bounds, convert_heights=convert_heights)
-    layers = Layers(lattice, frame.heights.metres)
+    codes = Codes.of(user_classes, class_table, frame.crs, header)
+    layers = Layers(lattice, codes, frame.heights.metres)
     for chunk in chunks:
         layers.add(path, chunk, cropped=bounds is not None)
     if np.isnan(layers.ground()).all():
@@ -93,7 +104,7 @@ def read(
         cell=cell,
         datum=Datum(frame.crs, lattice.xmin, lattice.ymin, vertical),
         attribution=attribution,
-        report=frame.report,
+        report=(*frame.report, *layers.report()),
     )
 
 
@@ -114,7 +125,8 @@ def _interpret(
     classes = np.full(ground.shape, LandClass.GROUND, dtype=np.uint8)
     for kind, where in layers.kinds.items():
         classes[where] = kind
-    classes[clutter > CLUTTER_HEIGHT] = LandClass.UNKNOWN
+    classes[(clutter > CLUTTER_HEIGHT) | layers.undefined] = LandClass.UNKNOWN
+    classes[layers.drawn & (classes != LandClass.WATER)] = LandClass.UNKNOWN
     classes[crowns > OBJECT_HEIGHT] = LandClass.TREES
     classes[structure] = LandClass.BUILDING
 
