@@ -16,6 +16,7 @@ its rim jumps the same way by more than a wall of rock does:
 All of these thresholds are *assumed*, and grow with the cell: at least three times its size.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,8 +32,10 @@ _DOWN_CODE, _DOWN_ANY = 30.0, 100.0  # [m]
 _UP_CODE, _UP_DOUBTFUL, _UP_ANY = 100.0, 200.0, HIGHEST_BUILT  # [m]
 _STEEPEST = 3.0  # rise over run of a wall of rock: 72 degrees
 _RIM = 0.9  # share of the rim that must jump; the rest may touch another hole
+_ONE_SIDED = 0.7  # the same of all the cells beside walls that hold the value, at a first look
 _MANY = 4  # cells that hold a value before it is more than chance
-_MOST_VALUES = 64  # that are looked at, the commonest first
+_MOST_VALUES = 16  # that are looked at before one is found, the commonest first
+_MOST_FILLS = 8  # that one raster is filled with; more are found only in noise
 _MINORITY = 0.5  # a value that is no usual fill must not be the rule
 
 
@@ -88,7 +91,7 @@ def find_fills(
     holes, doubtful = np.zeros((2, *values.shape), dtype=bool)
     found: list[Fill] = []
     doubted: list[Fill] = []
-    for _ in range(_MOST_VALUES):
+    for _ in range(_MOST_FILLS):
         for value, code in _candidates(values, cell, scale, offset, largest):
             middle = float(np.nanmedian(values))
             where, sure = _judge(values, value, middle, cell, code)
@@ -121,9 +124,13 @@ def _candidates(
     if not beside.any():
         return []
     held, of, counts = np.unique(values[beside], return_inverse=True, return_counts=True)
+    beside[beside] = (counts >= _MANY)[of.ravel()]  # a value held by few is no fill
+    if not beside.any():
+        return []
+    held, of, counts = np.unique(values[beside], return_inverse=True, return_counts=True)
     one_sided = _one_sided(values, beside, of.ravel(), held.size, wall)
     order = np.argsort(-counts, kind="stable")
-    likely = [k for k in order if counts[k] >= _MANY and one_sided[k]][:_MOST_VALUES]
+    likely = [k for k in order if one_sided[k]][:_MOST_VALUES]
     middle = float(np.nanmedian(values))
     ranked = [(v, is_code((v - offset) / scale, largest)) for v in map(float, held[likely])]
     return sorted(ranked, key=lambda pair: (not pair[1], -abs(pair[0] - middle)))
@@ -136,17 +143,13 @@ def _one_sided(
 
     A quick look at the cells beside walls only; in steep land nearly every value fails it.
     """
-    i, j = np.nonzero(beside)
     down, up, rim = np.zeros((3, n))
-    padded = np.pad(values, 1, constant_values=np.nan)
-    here = values[i, j]
-    for di, dj in ((a, b) for a in range(3) for b in range(3) if (a, b) != (1, 1)):
-        jump = padded[i + di, j + dj] - here
-        with np.errstate(invalid="ignore"):
-            down += np.bincount(of[jump >= wall], minlength=n)
-            up += np.bincount(of[jump <= -wall], minlength=n)
-            rim += np.bincount(of[(jump != 0.0) & ~np.isnan(jump)], minlength=n)
-    return np.asarray(np.maximum(down, up) >= 0.5 * rim)
+    for jump in _around(values, beside):
+        known = ~np.isnan(jump) & (jump != 0.0)
+        down += np.bincount(of[known & (jump >= wall)], minlength=n)
+        up += np.bincount(of[known & (jump <= -wall)], minlength=n)
+        rim += np.bincount(of[known], minlength=n)
+    return np.asarray(np.maximum(down, up) >= _ONE_SIDED * rim)
 
 
 def _judge(
@@ -176,9 +179,10 @@ def _judge(
     sure = blocks(_DOWN_CODE if usual else _DOWN_ANY, 1.0) | blocks(
         _UP_CODE if code else _UP_ANY, -1.0
     )
-    if sure.any():
+    if np.count_nonzero(sure) >= (1 if code else _MANY):
         return sure, True
-    return blocks(_UP_DOUBTFUL, -1.0), False
+    doubtful = blocks(_UP_DOUBTFUL, -1.0)
+    return (doubtful if np.count_nonzero(doubtful) >= _MANY else nothing), False
 
 
 def _jumps(
@@ -186,13 +190,22 @@ def _jumps(
 ) -> tuple[NDArray[np.int32], Heights]:
     """Label of the block and height of the neighbour above it, for each pair across its rim."""
     names = block.astype(np.int32) if labels is None else labels
+    of = names[block]
     owners, jumps = [], []
-    for a, b in _pairs(values.shape):
-        for here, there in ((a, b), (b, a)):
-            across = block[here] & ~block[there] & ~np.isnan(values[there])
-            owners.append(names[here][across])
-            jumps.append(values[there][across] - values[here][across])
+    for jump in _around(values, block):
+        across = ~np.isnan(jump) & (jump != 0.0)  # all of the block holds one value
+        owners.append(of[across])
+        jumps.append(jump[across])
     return np.concatenate(owners), np.concatenate(jumps)
+
+
+def _around(values: Heights, cells: Mask) -> Iterator[Heights]:
+    """Height of each of the eight neighbours above each of the `cells`, NaN where there is none."""
+    padded = np.pad(values, 1, constant_values=np.nan)
+    i, j = np.nonzero(cells)
+    here = values[cells]
+    for di, dj in ((a, b) for a in range(3) for b in range(3) if (a, b) != (1, 1)):
+        yield padded[i + di, j + dj] - here
 
 
 def _pairs(shape: tuple[int, ...]) -> list[tuple[tuple[slice, slice], tuple[slice, slice]]]:
