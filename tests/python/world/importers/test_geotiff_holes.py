@@ -339,6 +339,17 @@ def test_a_lost_hole_in_the_canopy_is_no_lawn(tmp_path: Path, value: float) -> N
     assert any("trees.tif" in line and "144 cells" in line for line in world.report)
 
 
+def test_a_class_of_many_codes_is_one_sentence(tmp_path: Path) -> None:
+    codes = np.arange(N * N, dtype=np.uint16).reshape(N, N)
+    classes = write(tmp_path / "codes.tif", codes)
+    table = {code: "water" if code < 2 else "grass" for code in range(N * N)}
+    world = read(tmp_path, rolling(), rolling(), lawn=False, classes=classes, class_table=table)
+    assert "codes.tif: codes 0, 1 are WATER: 2 cells" in world.report
+    assert "codes.tif: codes 2, 3, 4, 5, 6, 7, 8, 9, ... are GRASS: 1,598 cells" in world.report
+    world.save(tmp_path / "w.npz")
+    assert World.load(tmp_path / "w.npz").report == world.report
+
+
 def test_cells_without_a_code_are_counted(tmp_path: Path) -> None:
     codes = np.where(SHAPES["square"], 255, 1).astype(np.uint8)
     classes = write(tmp_path / "codes.tif", codes, nodata=255)

@@ -20,11 +20,22 @@ USA, FRANCE = "EPSG:26918", "EPSG:2154"
 ROOF = np.s_[12:18, 12:18]  # [m], [cells of 1 m]
 
 
+def corner(crs: str | None) -> tuple[float, float]:
+    """Easting and northing, in whole hundreds of metres, amid the area that a CRS is made for."""
+    known = pyproj.CRS(crs or USA)
+    flat = known.sub_crs_list[0] if known.is_compound else known
+    west, south, east, north = flat.area_of_use.bounds
+    there = pyproj.Transformer.from_crs("EPSG:4326", flat, always_xy=True)
+    x, y = there.transform((west + east) / 2.0, (south + north) / 2.0)
+    return round(x, -2), round(y, -2)
+
+
 def survey(
     path: Path,
     code: int,
     *,
     crs: str | None = USA,
+    at: str | None = None,
     top: float = 40.0,
     point_format: int = 6,
     system: str = "",
@@ -32,7 +43,11 @@ def survey(
     keep: NDArray[np.bool_] | None = None,
     flags: tuple[str, ...] = (),
 ) -> Path:
-    """Level ground at 10 m with a return in every half metre, and 6 m x 6 m of another class."""
+    """Level ground at 10 m with a return in every half metre, and 6 m x 6 m of another class.
+
+    It lies where its CRS, or the one of `at`, is made for.
+    """
+    west, south = corner(at or crs)
     axis = np.arange(0.25, 30.0, 0.5)
     x, y = (a.ravel() for a in np.meshgrid(axis, axis, indexing="ij"))
     roof = (x >= 12) & (x < 18) & (y >= 12) & (y < 18)
@@ -40,7 +55,7 @@ def survey(
         version="1.4" if point_format >= 6 else "1.2" if point_format < 4 else "1.3",
         point_format=point_format,
     )
-    header.scales, header.offsets = [0.01] * 3, [5e5, 46e5, 0.0]
+    header.scales, header.offsets = [0.01] * 3, [west, south, 0.0]
     if system:
         header.system_identifier = system
     if software:
@@ -48,7 +63,7 @@ def survey(
     if crs is not None:
         header.add_crs(pyproj.CRS(crs), keep_compatibility=False)
     cloud = laspy.LasData(header)
-    cloud.x, cloud.y, cloud.z = 5e5 + x, 46e5 + y, np.where(roof, top, 10.0)
+    cloud.x, cloud.y, cloud.z = west + x, south + y, np.where(roof, top, 10.0)
     cloud.classification = np.where(roof, code, 2).astype(np.uint8)
     for flag in flags:
         setattr(cloud, flag, roof)
@@ -167,7 +182,7 @@ def test_the_user_has_the_last_word(tmp_path: Path) -> None:
     home = survey(tmp_path / "b.las", 65, crs=FRANCE)
     assert_dropped(read(abroad, user_classes="ign"))
     assert_obstacle(read(home, user_classes="none"))
-    given = survey(tmp_path / "c.las", 65, crs=None)
+    given = survey(tmp_path / "c.las", 65, crs=None, at=FRANCE)
     assert_dropped(read(given, crs=FRANCE))
     with pytest.raises(ValueError, match="user_classes must be one of auto, ign, none, not 'IGN'"):
         read(home, user_classes="IGN")
@@ -268,14 +283,15 @@ def test_a_model_that_is_synthetic_as_a_whole_is_read(tmp_path: Path) -> None:
 
 def test_the_report_counts_every_class(tmp_path: Path) -> None:
     world = read(survey(tmp_path / "a.las", 6))
-    assert world.report == (
+    assert [line for line in world.report if line.startswith("class")] == [
         "class 2 (ground): 3,456 returns, taken for ground",
         "class 6 (building): 144 returns, taken for BUILDING",
-    )
+    ]
     low = read(survey(tmp_path / "a.las", 6, top=-999.0))
     assert "144 returns outside of -430 ... 8849 m: dropped as noise" in low.report
-    west = (5e5, 46e5, 5e5 + 10, 46e5 + 30)
-    assert any("outside of the bounds" in s for s in read(tmp_path / "a.las", bounds=west).report)
+    x, y = corner(USA)
+    cut = read(tmp_path / "a.las", bounds=(x, y, x + 10, y + 30))
+    assert any("outside of the bounds" in line for line in cut.report)
 
 
 def test_a_thinned_roof_of_an_unknown_class_has_no_holes(tmp_path: Path) -> None:

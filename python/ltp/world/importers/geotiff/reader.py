@@ -16,6 +16,8 @@ from . import holes
 from .coarsen import coarsen
 from .raster import PathLike, TiffRaster, read_raster
 
+_MOST_CODES = 8  # named in a sentence
+
 ClassTable = Mapping[int, LandClass | str | int]
 
 
@@ -121,10 +123,10 @@ def _check_table(table: ClassTable | None, classes: PathLike | None) -> dict[int
 def _translate(
     raster: TiffRaster, table: Mapping[int, LandClass]
 ) -> tuple[NDArray[np.uint8], list[str]]:
-    """The class of each cell, and a sentence for each code."""
+    """The class of each cell, and a sentence for each class."""
     kinds = np.full(raster.values.shape, LandClass.UNKNOWN, dtype=np.uint8)
     present = ~raster.missing & np.isfinite(raster.values)
-    report = []
+    of_kind: dict[LandClass, list[str]] = {}
     codes, counts = np.unique(raster.values[present], return_counts=True)
     for code, count in zip(codes, counts, strict=True):
         if code not in table:
@@ -134,7 +136,13 @@ def _translate(
             )
         kind = table[int(code)]
         kinds[present & (raster.values == code)] = kind
-        report.append(f"{raster.path.name}: code {code:g} is {kind.name}: {count:,} cells")
+        of_kind.setdefault(kind, []).append(f"{code:g}")
+    report = []
+    for kind, names in of_kind.items():
+        few = ", ".join(names[:_MOST_CODES]) + (", ..." if len(names) > _MOST_CODES else "")
+        n = np.count_nonzero(present & (kinds == kind))
+        plural = "code {} is" if len(names) == 1 else "codes {} are"
+        report.append(f"{raster.path.name}: {plural.format(few)} {kind.name}: {n:,} cells")
     if not present.all():
         n = np.count_nonzero(~present)
         report.append(f"{raster.path.name}: {n:,} cells without a code are UNKNOWN")
