@@ -350,6 +350,18 @@ def test_a_class_of_many_codes_is_one_sentence(tmp_path: Path) -> None:
     assert World.load(tmp_path / "w.npz").report == world.report
 
 
+def test_tagged_holes_are_counted(tmp_path: Path) -> None:
+    image = rolling()
+    image[3, 4:9] = -9999.0
+    image[20, 20] = np.nan
+    paths = [write(tmp_path / f"{name}.tif", image, nodata=-9999.0) for name in ("a", "b", "c")]
+    world = geotiff.read(dsm=paths[0], dem=paths[1], canopy=paths[2])
+    why = "6 cells hold no value (no-data tag, mask or NaN)"
+    for line in (f"a.tif: {why}: holes", f"b.tif: {why}: holes", f"c.tif: {why}: no tree there"):
+        assert line in world.report
+    assert any("6 of 1,600 cells" in line for line in world.report)
+
+
 def test_cells_without_a_code_are_counted(tmp_path: Path) -> None:
     codes = np.where(SHAPES["square"], 255, 1).astype(np.uint8)
     classes = write(tmp_path / "codes.tif", codes, nodata=255)

@@ -95,22 +95,25 @@ def surface(raster: TiffRaster, ground: Layer) -> Layer:
 
 def canopy(raster: TiffRaster) -> Layer:
     """Heights of crowns above the ground: where the raster says it has none, there is no tree."""
-    values, report = _plausible(raster, _LOWEST_CROWN, HIGHEST_TREE)
+    values, report = _plausible(raster, _LOWEST_CROWN, HIGHEST_TREE, "no tree there")
     unknown = _lost(values, raster)
-    if raster.missing.any():
-        report.append(
-            f"{raster.path.name}: {_cells(raster.missing)} without a value are "
-            "taken for cells without a tree"
-        )
     return Layer(np.where(np.isnan(values), 0.0, values), unknown, (), report)
 
 
-def _plausible(raster: TiffRaster, lowest: float, highest: float) -> tuple[Heights, list[str]]:
+def _plausible(
+    raster: TiffRaster, lowest: float, highest: float, nothing: str = "holes"
+) -> tuple[Heights, list[str]]:
     """Heights as float64, NaN where the raster has none that can be true, and why."""
     with np.errstate(invalid="ignore"):  # of numbers that are none
         values = raster.values.astype(np.float64)
         absurd = ~raster.missing & ((values < lowest) | (values > highest))
     report = []
+    none = raster.missing | (raster.values != raster.values)
+    if none.any():
+        report.append(
+            f"{raster.path.name}: {_cells(none)} hold no value (no-data tag, mask or NaN): "
+            f"{nothing}"
+        )
     if absurd.any():
         report.append(
             f"{raster.path.name}: {_cells(absurd)} hold "

@@ -81,8 +81,9 @@ def read(
         built = top.heights - ground.heights > OBJECT_HEIGHT
         kinds = np.where(built, LandClass.BUILDING, LandClass.UNKNOWN).astype(np.uint8)
         report.append(
-            f"no land classes were given (classes, --classes): what stands above {OBJECT_HEIGHT:g} "
-            "m is BUILDING, all open ground is UNKNOWN, as it may be water, and nobody lands there"
+            "warning: no land classes were given (classes, --classes): what stands above "
+            f"{OBJECT_HEIGHT:g} m is BUILDING, all open ground is UNKNOWN, as it may be water, and "
+            "nobody lands there"
         )
     kinds[no_canopy & (kinds != LandClass.BUILDING)] = LandClass.UNKNOWN
     kinds[(crowns > OBJECT_HEIGHT) & (kinds != LandClass.BUILDING)] = LandClass.TREES
