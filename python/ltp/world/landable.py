@@ -5,6 +5,7 @@
 import math
 from dataclasses import asdict, dataclass
 from typing import Annotated, TypedDict
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,7 @@ from .classes import Landable, landable_classes
 from .flatness import flatness
 from .world import World
 
+_LEVEL: WeakKeyDictionary[World, dict[tuple[float, ...], NDArray[np.bool_]]] = WeakKeyDictionary()
 _SLACK = 1e-6  # rounding of a slope [deg] or a height [m]: a limit itself is within the limit
 
 
@@ -113,14 +115,25 @@ def landable_mask(
     )
     mask = np.isin(world.classes, np.array(sorted(allowed), dtype=np.uint8))
     mask &= world.height_above_ground <= limits.max_height_above_ground + _SLACK
-    flat = flatness(world.surface, world.cell, limits.gear_radius)
-    mask &= flat.slope <= limits.max_slope + _SLACK
-    mask &= flat.roughness <= limits.max_roughness + _SLACK
+    mask &= _is_level(world, limits)
     margin = math.ceil(limits.clearance / world.cell - 1e-9)
     if margin > 0:
         i, j = (np.arange(length) for length in mask.shape)
         mask = all_within(mask, i - margin, i + margin + 1, j - margin, j + margin + 1)
     return mask
+
+
+def _is_level(world: World, limits: LandingLimits) -> NDArray[np.bool_]:
+    """Where slope and roughness are within the limits; kept as long as the world, which stays."""
+    key = (limits.max_slope, limits.max_roughness, limits.gear_radius)
+    known = _LEVEL.setdefault(world, {})
+    if (level := known.get(key)) is None:
+        flat = flatness(world.surface, world.cell, limits.gear_radius)
+        level = flat.slope <= limits.max_slope + _SLACK
+        level &= flat.roughness <= limits.max_roughness + _SLACK
+        known.clear()  # one is enough: a campaign asks the same for every flight
+        known[key] = level
+    return level
 
 
 def all_within(

@@ -270,3 +270,14 @@ def test_the_limits_are_the_rules() -> None:
     assert str(LandingLimits()) == (
         "at most 10 degrees steep and 0.2 m rough within 1 m, 0.5 m above the bare ground"
     )
+
+
+def test_what_is_kept_of_a_world_is_its_own() -> None:
+    heights = np.tan(np.radians(7.0)) * middles(1.0)[0]
+    for degrees, surface in ((7.0, heights), (0.0, np.zeros((40, 40))), (7.0, heights)):
+        world = lawn(surface)
+        for limit in (5.0, 10.0, 5.0):
+            assert (landable_mask(world, max_slope=limit) == (degrees <= limit)).all()
+            landable_mask(world, max_slope=limit)[:] = False  # nobody else's
+        rough = landable_mask(world, max_slope=10.0, max_roughness=0.0)
+        assert rough.all()
