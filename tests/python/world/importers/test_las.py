@@ -326,3 +326,18 @@ def test_a_missing_library_is_named_with_its_cure(
     message = re.escape(f"reading LAS and LAZ needs {missing}: {pip_install('geo')}")
     with pytest.raises(ImportError, match=message):
         las.read(path)
+
+
+@pytest.mark.parametrize(("spacing", "cell"), [(40.0, 1.0), (40.0, 2.0), (300.0, 2.0), (25.0, 0.5)])
+def test_a_survey_too_sparse_for_its_cells_names_a_cell_that_is_not(
+    spacing: float, cell: float, tmp_path: Path
+) -> None:
+    returns = [(spacing * i, spacing * j, 40.0, 2) for i in range(6) for j in range(6)]
+    path = write_cloud(tmp_path / "sparse.las", returns)
+    with pytest.raises(ValueError, match=r"sparse\.las.* a larger cell would help, of ") as caught:
+        las.read(path, cell=cell)
+    found = re.search(r"would help, of ([\d.e+]+) m", str(caught.value))
+    assert found is not None
+    larger = float(found[1])
+    assert cell < larger < 0.5 * spacing
+    assert las.read(path, cell=larger).cell == larger

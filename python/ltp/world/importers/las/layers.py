@@ -64,13 +64,22 @@ class Lattice:
         n_points = int(header.point_count)
         most = MAX_CELLS if bounds is not None else min(MAX_CELLS, _CELLS_PER_POINT * n_points)
         if nx * ny > most:
+            larger = _larger(cell, nx * ny / most)
             raise ValueError(
                 f"{source} needs {nx} x {ny} cells of {cell:g} m, more than {most:,} for "
-                f"{n_points:,} returns"
+                f"{n_points:,} returns; a larger cell would help, of {larger:g} m, unless the "
+                "extent is wrong"
             )
         # Some writers took the extent before they rounded the returns, by up to half a step.
         slack = 0.0 if bounds is not None else float(max(header.scales[:2]))
         return Lattice(i0 * cell, j0 * cell, cell, (nx, ny), slack)
+
+
+def _larger(cell: float, times: float) -> float:
+    """A cell with so many times fewer on the same area, in two digits [m]."""
+    wanted = 1.05 * cell * math.sqrt(times)  # the cells at the rim count whole
+    step = 10.0 ** (math.floor(math.log10(wanted)) - 1)
+    return math.ceil(wanted / step) * step
 
 
 class Layers:
