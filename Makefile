@@ -50,7 +50,10 @@ test: $(STAMPS)/test build-tests  ## run the C++ tests and the Python tests
 	ctest --test-dir build/tests -j $(JOBS) --output-on-failure
 	$(BIN)/python -m pytest
 
-SEED ?= $(shell od -An -N4 -tu4 /dev/urandom | tr -d ' ')
+# Asked for once, so that what is printed is what is used.
+ifndef SEED
+SEED := $(shell od -An -N4 -tu4 /dev/urandom | tr -d ' ')
+endif
 
 .PHONY: test-random
 test-random: $(STAMPS)/test  ## run the Python tests on examples that nobody has seen

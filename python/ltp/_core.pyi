@@ -19,6 +19,8 @@ class Pose:
         """
         position: (3,) [m]. yaw, pitch, roll: turns about z, y, x, applied in this order [rad].
         """
+    def __repr__(self) -> str:
+        ...
     @property
     def position(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
@@ -89,6 +91,8 @@ class Raster:
         values: (nx, ny), finite. origin: (2,) outer corner of cell (0, 0) [m]. cell: edge [m].
         outside: the value beyond the edges. ValueError names what is wrong.
         """
+    def __repr__(self) -> str:
+        ...
     def at(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], y: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Any:
         """
         Value of the cell that holds (x, y) [m]; vectorised.
@@ -140,6 +144,8 @@ class OccupancyGrid:
         """
         An empty grid.
         """
+    def __repr__(self) -> str:
+        ...
     def blocked_at(self, points: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> numpy.typing.NDArray[numpy.bool]:
         """
         bool (N,): whether the cells that hold points (N, 3) [m] are blocked; False outside.
@@ -230,6 +236,8 @@ class RayHit:
     """
     Where a ray first meets a surface.
     """
+    def __repr__(self) -> str:
+        ...
     @property
     def hit(self) -> bool:
         """
@@ -269,6 +277,8 @@ class HeightSurface(Surface):
         """
         heights: above the datum [m].
         """
+    def __repr__(self) -> str:
+        ...
     def clearance(self, points: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], max_distance: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
         """
         (N,): distance [m] from points (N, 3), float64, to the solid, 0 inside it, at most
@@ -301,6 +311,8 @@ class OctreeSurface(Surface):
         """
         Voxels of edge resolution [m] that hold points (N, 3), float64 [m].
         """
+    def __repr__(self) -> str:
+        ...
     @property
     def resolution(self) -> float:
         """
@@ -469,6 +481,8 @@ class Scan:
     """
     One revolution of a LiDAR, in the world frame.
     """
+    def __repr__(self) -> str:
+        ...
     @property
     def hits(self) -> numpy.ndarray:
         """
@@ -495,6 +509,8 @@ class Lidar:
         """
         ValueError names the option that is wrong.
         """
+    def __repr__(self) -> str:
+        ...
     def from_ranges(self, ranges: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], pose: Pose) -> Scan:
         """
         The scan that a real sensor's ranges (azimuths * rows,) [m] mean, in the order of
@@ -660,6 +676,8 @@ class ObstacleMap:
         """
         centre: (3,), of the window, world [m]. ValueError names the option that is wrong.
         """
+    def __repr__(self) -> str:
+        ...
     def clear(self) -> None:
         """
         Forgets everything.
@@ -721,6 +739,8 @@ class Scene:
     """
     def __init__(self, occupancy: OccupancyGrid, priority: Raster) -> None:
         ...
+    def __repr__(self) -> str:
+        ...
 class Query:
     """
     From where to where, and how far the path may leave the altitudes between.
@@ -730,6 +750,8 @@ class Query:
         start, goal: (3,), world [m]. band: (below, above), how far the path may go under the lower and over the
         higher of both ends [m], >= 0; (0, 0) is planar flight, the default is open to the whole window.
         """
+    def __repr__(self) -> str:
+        ...
     @property
     def band(self) -> tuple[float, float]:
         ...
@@ -1413,6 +1435,8 @@ class Planner:
     """
     def __init__(self, name: str, options: PlannerOptions = ...) -> None:
         ...
+    def __repr__(self) -> str:
+        ...
     def front(self, scene: Scene, query: Query, eps: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> Front:
         """
         Deprecated: `ltp.pareto_front`.
@@ -1639,6 +1663,8 @@ class LocalTrajectoryPlanner:
         """
         priority: Raster in [0, 1]. position: (3,) [m]. planner: one of `ltp.PLANNERS`.
         """
+    def __repr__(self) -> str:
+        ...
     def clear_map(self) -> None:
         """
         Forgets all obstacles, those beyond the window too; the next update plans on it.
@@ -1781,6 +1807,8 @@ class ConcurrentTrajectoryPlanner:
         """
         As a LocalTrajectoryPlanner's.
         """
+    def __repr__(self) -> str:
+        ...
     def clear_map(self) -> None:
         """
         As LocalTrajectoryPlanner's; the map is handed over to be planned on at once.

@@ -25,6 +25,7 @@ void bind_sensing(py::module_& m);
 void bind_mapping(py::module_& m);
 void bind_planning(py::module_& m);
 void bind_navigation(py::module_& m);
+void bind_reprs(py::module_& m);
 void bind_old_names(py::module_& m);
 
 /// Throws `ValueError` unless every coordinate of a point set is finite.

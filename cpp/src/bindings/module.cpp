@@ -13,5 +13,6 @@ PYBIND11_MODULE(_core, m) {
   bind_mapping(m);
   bind_planning(m);
   bind_navigation(m);
+  bind_reprs(m);
   bind_old_names(m);
 }

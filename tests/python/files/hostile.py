@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ltp._core import OctreeSurface, Raster
+from ltp._core import ObstacleMap, OctreeSurface, Raster
 from ltp.cli.waypoints import read_waypoints
 from ltp.config import MissionConfig
 from ltp.evaluation.campaign.campaign import FlightJournal
@@ -77,6 +77,16 @@ def _gaps(path: Path) -> None:
              dataclasses.fields(GapRow)}  # fmt: skip
     made = {name: values[kind.partition(" ")[0]] for name, kind in kinds.items()}
     PLANS.write(path, [GapRow(**made)] * 2)
+
+
+def _map(path: Path) -> None:
+    known = ObstacleMap()
+    known.insert((0.0, 0.0, 0.0), np.array([[5.0, 5.0, 5.0], [9.0, -3.0, 1.0]]))
+    known.save(path)
+
+
+def _load_map(path: Path) -> None:
+    ObstacleMap().load(path)
 
 
 def _geotiff(path: Path) -> None:
@@ -161,6 +171,8 @@ READERS = (
             + b"\3\0" * 15 + b"\2\0"
         ),
     ),
+    Reader("map.bt", _load_map, _map),
+    Reader("map.ot", _load_map, _map),
     Reader("mission.toml", MissionConfig.load, lambda path: MissionConfig().save(path)),
     Reader(
         "path.csv", read_waypoints, lambda path: path.write_text("# x,y,z\n0,0,50\n30,4.5,50\n")
