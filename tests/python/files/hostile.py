@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ltp._core import ObstacleMap, OctreeSurface, Raster
+from ltp._core import ObstacleMap, ObstacleMapOptions, OctreeSurface, Raster
 from ltp.cli.waypoints import read_waypoints
 from ltp.config import MissionConfig
 from ltp.evaluation.campaign.campaign import FlightJournal
@@ -79,14 +79,18 @@ def _gaps(path: Path) -> None:
     PLANS.write(path, [GapRow(**made)] * 2)
 
 
+def _window() -> ObstacleMap:
+    return ObstacleMap(ObstacleMapOptions(dims=[10, 10, 5]))
+
+
 def _map(path: Path) -> None:
-    known = ObstacleMap()
+    known = _window()
     known.insert((0.0, 0.0, 0.0), np.array([[5.0, 5.0, 5.0], [9.0, -3.0, 1.0]]))
     known.save(path)
 
 
 def _load_map(path: Path) -> None:
-    ObstacleMap().load(path)
+    _window().load(path)
 
 
 def _geotiff(path: Path) -> None:
