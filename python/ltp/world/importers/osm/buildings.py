@@ -2,13 +2,30 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Solid blocks out of OpenStreetMap buildings: parts before outlines."""
 
-from typing import Any
+import enum
+from typing import Any, NamedTuple
 
 from ..optional import require
 from . import tags
 from .shapes import Shape
 
-Block = tuple[Any, float]  # shapely area, height of its top above the ground [m]
+
+class Origin(enum.Enum):
+    """Where a height comes from."""
+
+    TAG = "a height tag"
+    LEVELS = "the number of storeys"
+    PARTS = "other parts of the same building"
+    GUESS = "a guess"
+
+
+class Block(NamedTuple):
+    """A solid that stands on the ground."""
+
+    area: Any  # shapely, in the CRS of the world [m]
+    height: float  # of its top above the ground [m]
+    origin: Origin
+
 
 _RESTATES = 0.5  # an outline this close to its tallest part repeats the height of the tower [m]
 
@@ -27,28 +44,37 @@ def blocks(areas: list[Shape], default_height: float) -> list[Block]:
     heights_in: dict[int, list[Block]] = {}
     for index, part in enumerate(parts):
         outline = outlines[owner[index]] if index in owner else None
-        height = tags.tagged_height(part.tags)
-        if height is None:
-            height = _outline_height(outline or part, default_height)
-        found.append((part.geometry, height))
+        height, origin = told_or_guessed(part.tags, default_height)
+        if origin == Origin.GUESS and outline is not None:
+            height, origin = told_or_guessed(outline.tags, default_height)
+            height = max(height, tags.floor_height(part.tags))
+            origin = Origin.PARTS if origin != Origin.GUESS else origin
+        found.append(Block(part.geometry, height, origin))
         if outline is not None:
             heights_in.setdefault(owner[index], []).append(found[-1])
     for index, outline in enumerate(outlines):
         inside = heights_in.get(index, [])
+        height, origin = told_or_guessed(outline.tags, default_height)
         if not inside:
-            found.append((outline.geometry, _outline_height(outline, default_height)))
+            found.append(Block(outline.geometry, height, origin))
             continue
         shapely = require("shapely", "reading OpenStreetMap files")
-        rest = outline.geometry.difference(shapely.union_all([area for area, _ in inside]))
-        tops = [height for _, height in inside]
-        own = tags.tagged_height(outline.tags)
-        podium = own if own is not None and own < max(tops) - _RESTATES else min(tops)
-        found.append((rest, podium))
-    return [(area, height) for area, height in found if not area.is_empty]
+        rest = outline.geometry.difference(shapely.union_all([block.area for block in inside]))
+        tops = [block.height for block in inside]
+        if origin == Origin.GUESS or height >= max(tops) - _RESTATES:
+            lowest = min(inside, key=lambda block: block.height)
+            height = lowest.height
+            origin = Origin.GUESS if lowest.origin == Origin.GUESS else Origin.PARTS
+        found.append(Block(rest, height, origin))
+    return [block for block in found if not block.area.is_empty]
 
 
-def _outline_height(shape: Shape, default_height: float) -> float:
-    return tags.tagged_height(shape.tags) or tags.usual_height(shape.tags, default_height)
+def told_or_guessed(given: tags.Tags, default_height: float) -> tuple[float, Origin]:
+    """The height that the tags of a building or part tell, or what is usual for its kind [m]."""
+    told = tags.told_height(given)
+    if told is None:
+        return tags.usual_height(given, default_height), Origin.GUESS
+    return told.height, Origin.LEVELS if told.by_levels else Origin.TAG
 
 
 def _owners(outlines: list[Shape], parts: list[Shape]) -> dict[int, int]:

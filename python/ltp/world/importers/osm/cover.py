@@ -4,7 +4,9 @@
 
 from ltp.world.classes import LandClass
 
-from .tags import Tags, building, count, length, part, tall
+from .lengths import count, length
+from .standing import tall, thin
+from .tags import Tags, building, part
 
 _LANE_WIDTH = 3.25  # [m]
 _WIDEST = 100.0  # a width above this is a slip of the keyboard [m]
@@ -46,10 +48,10 @@ _AREAS: dict[LandClass, dict[str, tuple[str, ...]]] = {
     LandClass.PAVED: {"aeroway": ("apron", "runway", "taxiway", "helipad")},
     LandClass.ROAD: {"highway": tuple(_ROAD_WIDTHS)},
     LandClass.WATER: {
-        "natural": ("water", "wetland"),
-        "waterway": ("riverbank", "dock"),
-        "landuse": ("reservoir", "basin"),
-        "leisure": ("swimming_pool",),
+        "natural": ("water", "wetland", "bay", "strait", "mud", "hot_spring"),
+        "waterway": ("riverbank", "dock", "river", "canal", "stream", "ditch", "drain"),
+        "landuse": ("reservoir", "basin", "salt_pond", "aquaculture"),
+        "leisure": ("swimming_pool", "swimming_area"),
         "amenity": ("fountain",),
     },
     LandClass.TREES: {"natural": ("wood", "scrub"), "landuse": ("forest",)},
@@ -65,6 +67,15 @@ _COVER = {
 _KEYS = tuple(dict.fromkeys(key for key, _ in _COVER))
 # A closed way with one of these is a ring road or a loop of track unless it says area=yes.
 _LOOPS = frozenset({"highway", "aeroway"})
+_STREAMS = frozenset(_STREAM_WIDTHS)
+_MARSHES = frozenset({"wetland", "mud"})
+_ISLANDS = frozenset({"island", "islet"})
+# What stands in the water or over it: what lies on it is dry.
+_DECKS = frozenset({"pier", "bridge", "breakwater", "groyne", "quay", "dyke", "embankment"})
+_DAMS = frozenset({"dam", "weir", "lock_gate"})
+_SEALED = frozenset(
+    {LandClass.SQUARE, LandClass.ROAD, LandClass.PARKING, LandClass.PAVED, LandClass.RAIL}
+)
 _PARKED_ELSEWHERE = frozenset({"underground", "multi-storey", "rooftop", "sheds", "carports"})
 
 
@@ -72,8 +83,14 @@ def is_area(tags: Tags) -> bool:
     """Whether a closed way with these tags is an area rather than a loop."""
     if "area" in tags:
         return tags["area"] != "no"
-    if building(tags) or part(tags) or "area:highway" in tags or tall(tags) is not None:
+    if building(tags) or part(tags) or "area:highway" in tags or island(tags):
         return True
+    if tags.get("man_made") in _DECKS - {"groyne", "dyke", "embankment"}:
+        return True
+    if tall(tags) is not None and not thin(tags):
+        return True
+    if tags.get("waterway") in _STREAMS and not {"natural", "landuse", "leisure"} & tags.keys():
+        return False
     return any((key, tags.get(key, "")) in _COVER for key in _KEYS if key not in _LOOPS)
 
 
@@ -81,10 +98,32 @@ def area_cover(tags: Tags) -> LandClass | None:
     """What covers an area with these tags, None where they do not say."""
     if tags.get("parking", "") in _PARKED_ELSEWHERE:
         return None
-    for key in _KEYS:
-        if (kind := _COVER.get((key, tags.get(key, "")))) is not None:
-            return kind
+    found = [_COVER[pair] for key in _KEYS if (pair := (key, tags.get(key, ""))) in _COVER]
+    if LandClass.WATER in found:  # a park that is a wetland, too
+        return LandClass.WATER
+    if found:
+        return found[0]
     return LandClass.ROAD if "area:highway" in tags else None
+
+
+def island(tags: Tags) -> bool:
+    """Whether it is land in the water, which counts where a lake forgets to leave it out."""
+    return tags.get("place") in _ISLANDS
+
+
+def deck(tags: Tags) -> bool:
+    """Whether it is an area or a line that stands in the water or over it, such as a pier."""
+    if tags.get("man_made") in _DECKS or tags.get("waterway") in _DAMS:
+        return True
+    if tags.get("bridge", "no") != "no" or tags.get("floating") == "yes":
+        return True
+    above = (count(tags.get("layer")) or 0.0) > 0.0
+    return above and ("highway" in tags or "railway" in tags or area_cover(tags) in _SEALED)
+
+
+def marsh(tags: Tags) -> bool:
+    """Whether it is wet ground through which roads lead without a bridge."""
+    return tags.get("natural") in _MARSHES
 
 
 def line_cover(tags: Tags) -> tuple[LandClass, float] | None:

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shapes out of an OpenStreetMap file: points, lines and areas with their tags, projected."""
 
+from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -9,12 +10,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..optional import require
-from .cover import is_area
-from .tags import buried
+from ltp.world.classes import LandClass
 
-Box = tuple[float, float, float, float]
-_SUFFIXES = (".osm", ".pbf")
+from ..optional import require
+from .cover import area_cover, is_area, line_cover
+from .relations import Area, Meaning, understand
+from .rings import Places, assemble, sound_area
+from .source import Box, Source, Way, read_source
+from .standing import tall
+from .tags import buried, stands_over
+
+_PURPOSE = "reading OpenStreetMap files"
+# Half of an area of these is worse than none: what it lacks would look free, or dry.
+_NEEDED = frozenset({LandClass.WATER, LandClass.TREES, LandClass.RAIL, LandClass.CONSTRUCTION})
+_NAMED = 5  # so many are named in a message
 
 
 @dataclass(frozen=True)
@@ -33,149 +42,196 @@ class Shapes:
     points: list[Shape] = field(default_factory=list)
     lines: list[Shape] = field(default_factory=list)
     areas: list[Shape] = field(default_factory=list)
+    dropped: Counter[str] = field(default_factory=Counter)  # what was left out or mended, and why
+    examples: dict[str, list[str]] = field(default_factory=dict)  # of those, by the same words
+
+    def note(self, what: str, key: str) -> None:
+        """Count something that is left out or mended."""
+        self.dropped[what] += 1
+        named = self.examples.setdefault(what, [])
+        if len(named) < _NAMED:
+            named.append(key)
 
 
-@dataclass(frozen=True)
-class _Way:
-    number: int
-    tags: dict[str, str]
-    lonlat: NDArray[np.float64]  # (n, 2)
-
-
-@dataclass(frozen=True)
-class _Relation:
-    number: int
-    tags: dict[str, str]
-    outer: tuple[int, ...]
-    inner: tuple[int, ...]
-
-
-def read_shapes(path: Path, crs: Any, near: Box) -> Shapes:
+def read_shapes(path: Path, crs: Any, near: Box, box: Any) -> tuple[Source, Shapes]:
     """Read what lies within `near` (lon_min, lat_min, lon_max, lat_max) and project it to `crs`.
 
-    Buried things are left out. Areas of a multipolygon whose rings the file does not close are
-    left out too: nobody can tell their inside.
+    Buried things are left out, and multipolygons that nothing closes: nobody can tell their inside.
+    `box` is the area of the world, a shapely polygon in `crs`.
 
     Raises:
         ImportError: if osmium, shapely or pyproj are not installed.
-        ValueError: naming the file, if it cannot be read to its end or holds nothing there.
+        ValueError: naming the file, if it cannot be read to its end, holds nothing there, or lacks
+            nodes of something in the box that must not be missed: a building, a lake, a wood.
     """
-    osmium = require("osmium", "reading OpenStreetMap files")
-    if not path.is_file():  # also keeps osmium from taking the name for a URL
-        raise FileNotFoundError(f"{path} is not a file")
-    if path.suffix not in _SUFFIXES:
-        raise ValueError(f"{path} must end in .osm or .osm.pbf")
-    try:
-        relations = _read_relations(osmium, path)
-        nodes, ways, seen = _read_ways(osmium, path, relations, near)
-    except (OSError, ImportError):
-        raise
-    except Exception as error:  # osmium's own errors share no better base
-        raise ValueError(f"{path} cannot be read as an OpenStreetMap file: {error}") from error
-    if not ways:
-        where = "no way with its nodes" if seen is None else f"its ways lie within lon/lat {seen}"
+    source = read_source(path, near)
+    drawing = _Drawing(source, crs, box)
+    if not source.near and not source.nodes and not drawing.meets(near):
+        where = (
+            "no way with its nodes"
+            if source.extent is None
+            else f"its ways lie within lon/lat {_short(source.extent)}"
+        )
         raise ValueError(f"{path} holds nothing in the bounds (lon/lat {_short(near)}): {where}")
-    return _project(crs, nodes, ways, relations)
+    try:
+        drawing.draw()
+    except ImportError:
+        raise
+    except Exception as error:  # GEOS's own, of hostile coordinates
+        raise ValueError(f"{path} cannot be read as an OpenStreetMap file: {error}") from error
+    if drawing.lacking:
+        some = ", ".join(drawing.lacking[:_NAMED])
+        more = f" and {len(drawing.lacking) - _NAMED} more" if len(drawing.lacking) > _NAMED else ""
+        raise ValueError(
+            f"{path} lacks nodes of what lies in the bounds ({some}{more}): nobody can tell how far "
+            "it reaches; cut the extract with osmium extract --strategy complete_ways or smart, or "
+            "choose bounds that lie further inside"
+        )
+    return source, drawing.shapes
 
 
 def _short(box: Box) -> str:
     return "(" + ", ".join(f"{value:.5f}" for value in box) + ")"
 
 
-def _read_relations(osmium: Any, path: Path) -> list[_Relation]:
-    relations = []
-    for relation in osmium.FileProcessor(str(path.resolve()), osmium.osm.RELATION):
-        tags = {tag.k: tag.v for tag in relation.tags}
-        if tags.get("type") != "multipolygon" or buried(tags):
-            continue
-        ways = [(m.ref, m.role) for m in relation.members if m.type == "w"]
-        outer = tuple(ref for ref, role in ways if role != "inner")
-        inner = tuple(ref for ref, role in ways if role == "inner")
-        relations.append(_Relation(relation.id, tags, outer, inner))
-    return relations
+class _Drawing:
+    """Shapes while they are made of the objects of a file."""
 
+    def __init__(self, source: Source, crs: Any, box: Any) -> None:
+        self.source = source
+        self.box = box
+        self.meaning: Meaning = understand(source)
+        self.shapes = Shapes()
+        self.lacking: list[str] = []  # things in the box that must not be missed, but lack nodes
+        pyproj = require("pyproj", _PURPOSE)
+        self.transformer = pyproj.Transformer.from_crs("EPSG:4326", crs, always_xy=True)
 
-def _read_ways(
-    osmium: Any, path: Path, relations: list[_Relation], near: Box
-) -> tuple[list[_Way], dict[int, _Way], str | None]:
-    """Tagged nodes (as ways of one node) and ways near the box, and where the file's ways lie."""
-    members = {ref for relation in relations for ref in (*relation.outer, *relation.inner)}
-    low, high = np.array(near[:2]), np.array(near[2:])
-    seen = np.array([np.inf, np.inf, -np.inf, -np.inf])
-    nodes: list[_Way] = []
-    ways: dict[int, _Way] = {}
-    untagged = osmium.filter.EmptyTagFilter().enable_for(osmium.osm.NODE)
-    entities = osmium.osm.NODE | osmium.osm.WAY
-    source = osmium.FileProcessor(str(path.resolve()), entities).with_locations()
-    for item in source.with_filter(untagged):
-        is_node = item.is_node()
-        points = [item.location] if is_node else [node.location for node in item.nodes]
-        lonlat = np.array([(p.lon, p.lat) for p in points if p.valid()]).reshape(-1, 2)
-        if len(lonlat) < (1 if is_node else 2):
-            continue
-        first, last = lonlat.min(axis=0), lonlat.max(axis=0)
-        within = bool((last >= low).all() and (first <= high).all())
-        if not is_node:
-            seen = np.array([*np.minimum(seen[:2], first), *np.maximum(seen[2:], last)])
-        if within or (not is_node and item.id in members):
-            way = _Way(item.id, {tag.k: tag.v for tag in item.tags}, lonlat)
-            if is_node:
-                nodes.append(way)
+    def meets(self, near: Box) -> bool:
+        """Whether some area that relations make comes near the box, all its ways together."""
+        for area in self.meaning.areas:
+            places = [self.source.ways[ref].places for ref in area.ways]
+            if places:
+                both = np.concatenate(places) / 1e7
+                low, high = both.min(axis=0), both.max(axis=0)
+                if (high >= near[:2]).all() and (low <= near[2:]).all():
+                    return True
+        return False
+
+    def draw(self) -> None:
+        shapely = require("shapely", _PURPOSE)
+        nodes = list(self.source.nodes.values())
+        for node, point in zip(nodes, self._project([n.place[None] for n in nodes]), strict=True):
+            if np.isfinite(point).all() and self._shown(f"n{node.number}", node.tags):
+                self.shapes.points.append(
+                    Shape(f"n{node.number}", node.tags, shapely.Point(point[0]))
+                )
+        relations, spent = self._areas()
+        ways = [w for n, w in self.source.ways.items() if n in self.source.near]
+        for way, points in zip(ways, self._project([w.places for w in ways]), strict=True):
+            if np.isfinite(points).all():
+                tags = self.meaning.tags.get(way.number, way.tags)
+                self._way(way, tags, points, spent=way.number in spent)
             else:
-                ways[item.id] = way
-    found = None if np.isinf(seen).any() else _short((seen[0], seen[1], seen[2], seen[3]))
-    return nodes, ways, found
+                self.shapes.note("cannot be projected", f"w{way.number}")
+        self.shapes.areas += relations
 
+    def _shown(self, key: str, tags: dict[str, str]) -> bool:
+        if not tags:
+            return False
+        if buried(tags):
+            self.shapes.note("buried or indoors", key)
+            return False
+        return True
 
-def _project(
-    crs: Any, nodes: list[_Way], ways: dict[int, _Way], relations: list[_Relation]
-) -> Shapes:
-    shapely = require("shapely", "reading OpenStreetMap files")
-    pyproj = require("pyproj", "reading OpenStreetMap files")
-    everything = [*nodes, *ways.values()]
-    lonlat = np.concatenate([way.lonlat for way in everything])
-    transformer = pyproj.Transformer.from_crs("EPSG:4326", crs, always_xy=True)
-    xy = np.column_stack(transformer.transform(lonlat[:, 0], lonlat[:, 1]))
-    pieces = np.split(xy, np.cumsum([len(way.lonlat) for way in everything])[:-1])
-
-    shapes = Shapes()
-    lines: dict[int, Any] = {}
-    for way, piece in zip(everything[: len(nodes)], pieces, strict=False):
-        if np.isfinite(piece).all() and not buried(way.tags):
-            shapes.points.append(Shape(f"n{way.number}", way.tags, shapely.Point(piece[0])))
-    for way, piece in zip(ways.values(), pieces[len(nodes) :], strict=True):
-        if not np.isfinite(piece).all():
-            continue
-        lines[way.number] = line = shapely.LineString(piece)
-        if not way.tags or buried(way.tags):
-            continue
+    def _way(
+        self, way: Way, tags: dict[str, str], points: NDArray[np.float64], *, spent: bool
+    ) -> None:
+        shapely = require("shapely", _PURPOSE)
         key = f"w{way.number}"
-        closed_area = len(piece) >= 4 and line.is_closed and is_area(way.tags)
-        if closed_area:
-            area = _sound_area(shapely, shapely.Polygon(piece))
-            if not area.is_empty:
-                shapes.areas.append(Shape(key, way.tags, area))
-        if not closed_area or way.tags.get("natural") == "coastline":  # an island that is a park
-            shapes.lines.append(Shape(key, way.tags, line))
-    for relation in relations:
-        area = _assemble(shapely, relation, lines)
-        if not area.is_empty:
-            shapes.areas.append(Shape(f"r{relation.number}", relation.tags, area))
-    return shapes
+        if not self._shown(key, tags):
+            return
+        closed = len(points) > 3 and bool((points[0] == points[-1]).all())
+        wanted = is_area(tags) and not spent
+        if way.lacks_nodes:
+            known = shapely.MultiPoint(points).convex_hull
+            if wanted and self._needed(tags) and known.intersects(self.box):
+                self.lacking.append(key)
+                return
+            self.shapes.note("some nodes are not in the file", key)
+            wanted = False
+        open_building = wanted and not closed and stands_over(tags) and len(points) > 2
+        if open_building:
+            self.shapes.note("a building's outline is not closed: closed", key)
+        elif wanted and not closed and area_cover(tags) is not None and line_cover(tags) is None:
+            self.shapes.note("an area's outline is not closed: left out", key)
+        if wanted and (closed or open_building):
+            area = sound_area(shapely.Polygon(points))
+            if area.is_empty:
+                self.shapes.note("an area without extent", key)
+            else:
+                self.shapes.areas.append(Shape(key, tags, area))
+        coast = tags.get("natural") == "coastline"  # an island that is a park
+        if len(points) > 1 and (coast or not (closed and is_area(tags))):
+            self.shapes.lines.append(Shape(key, tags, shapely.LineString(points)))
+
+    def _needed(self, tags: dict[str, str]) -> bool:
+        return stands_over(tags) or tall(tags) is not None or area_cover(tags) in _NEEDED
+
+    def _areas(self) -> tuple[list[Shape], set[int]]:
+        """The areas that relations make, and the ways that are none beside them."""
+        wanted = [area for area in self.meaning.areas if area.ways]
+        lines = [
+            [piece for ref in area.ways for piece in _pieces(self.source.ways[ref])]
+            for area in wanted
+        ]
+        built, mended, empty = assemble(lines, self._project)
+        shapes: list[Shape] = []
+        spent: set[int] = set()
+        for index, (area, geometry) in enumerate(zip(wanted, built, strict=True)):
+            named = f"{area.key} {_kind(area.tags)}".strip()
+            near = any(ref in self.source.near for ref in area.ways)
+            if near and self._cut_in_the_box(area, geometry):
+                self.lacking.append(area.key)
+            if index in empty:
+                if near:
+                    why = "the file lacks members" if area.missing else "its rings do not close"
+                    self.shapes.note(f"a multipolygon that is cut open ({why})", named)
+                continue
+            if near and index in mended:
+                self.shapes.note("a multipolygon whose rings cross or do not close: mended", named)
+            elif near and area.missing:
+                self.shapes.note("a multipolygon without some of its members: the rest kept", named)
+            shapes.append(Shape(area.key, area.tags, geometry))
+            spent |= area.spent
+        return shapes, spent
+
+    def _cut_in_the_box(self, area: Area, geometry: Any) -> bool:
+        """Whether an area that must not be missed lacks nodes, or a building members, in the box."""
+        shapely = require("shapely", _PURPOSE)
+        ways = [self.source.ways[ref] for ref in area.ways]
+        cut = [way for way in ways if way.lacks_nodes]
+        if area.missing and stands_over(area.tags) and geometry.is_empty:
+            cut = ways
+        if not cut or not self._needed(area.tags):
+            return False
+        known = [shapely.MultiPoint(p).convex_hull for p in self._project([w.places for w in cut])]
+        return any(hull.intersects(self.box) for hull in known)
+
+    def _project(self, pieces: list[Places]) -> list[NDArray[np.float64]]:
+        if not pieces:
+            return []
+        degrees = np.concatenate(pieces) / 1e7
+        xy = np.column_stack(self.transformer.transform(degrees[:, 0], degrees[:, 1]))
+        return np.split(xy, np.cumsum([len(piece) for piece in pieces])[:-1])
 
 
-def _assemble(shapely: Any, relation: _Relation, lines: dict[int, Any]) -> Any:
-    """The area of a multipolygon: rings of the outer ways minus rings of the inner ones."""
-
-    def rings(refs: tuple[int, ...]) -> Any:
-        closed = shapely.polygonize([lines[ref] for ref in refs if ref in lines])
-        return shapely.union_all([_sound_area(shapely, ring) for ring in closed.geoms])
-
-    return _sound_area(shapely, rings(relation.outer).difference(rings(relation.inner)))
+def _pieces(way: Way) -> list[Places]:
+    """The stretches of a way between the nodes that the file lacks."""
+    return [piece for piece in np.split(way.places, way.breaks) if len(piece) > 1]
 
 
-def _sound_area(shapely: Any, geometry: Any) -> Any:
-    """The same area without self-crossings; lines and points that remain of them are dropped."""
-    valid = shapely.make_valid(geometry)
-    parts = [p for p in shapely.get_parts(valid) if p.geom_type in ("Polygon", "MultiPolygon")]
-    return shapely.union_all(parts)
+def _kind(tags: dict[str, str]) -> str:
+    """The tag that tells what an area is, and its name."""
+    keys = ("building", "natural", "landuse", "leisure", "waterway", "man_made", "place")
+    kind = next((f"{key}={tags[key]}" for key in keys if key in tags), "")
+    return f"{kind} {tags.get('name', '')!r}" if "name" in tags else kind

@@ -1,80 +1,76 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tags of OpenStreetMap say about what stands on the ground: heights and sizes."""
+"""What the tags of OpenStreetMap say about what stands on the ground: heights, and what is buried."""
 
-import re
 from collections.abc import Mapping
+from typing import NamedTuple
+
+from .lengths import TALLEST, count, length
 
 Tags = Mapping[str, str]
 
-LEVEL_HEIGHT = 3.0  # [m]
-_TALLEST = 1000.0  # a height above this is a slip of the keyboard [m]
-_FOOT, _INCH = 0.3048, 0.0254
+LEVEL_HEIGHT = 3.0  # *assumed*, the usual reading of building:levels [m]
 
-_LENGTH = re.compile(r"~?\s*(\d+(?:[.,]\d+)?)\s*(m|metres?|meters?|ft|feet|foot|')?", re.I)
-_FEET_INCHES = re.compile(r"(\d+(?:\.\d+)?)\s*'\s*(\d+(?:\.\d+)?)\s*(?:\"|'')")
-
-# Without any height: usual heights [m]. All others get the caller's default.
+# Without any height: usual heights [m], *assumed*. All others get the caller's default.
 _USUAL_HEIGHTS = {
     **dict.fromkeys(("carport", "garage", "garages", "hut", "kiosk", "shed"), 3.0),
     **dict.fromkeys(("bungalow", "greenhouse", "roof"), 5.0),
     **dict.fromkeys(("detached", "house", "semidetached_house", "terrace"), 9.0),
     **dict.fromkeys(("apartments", "church", "dormitory", "hotel"), 15.0),
-    "cathedral": 30.0,
+    **dict.fromkeys(("silo", "storage_tank", "grain_silo", "digester"), 15.0),
+    **dict.fromkeys(("tower", "bell_tower", "lighthouse", "windmill", "gasometer"), 30.0),
+    **dict.fromkeys(("cathedral", "water_tower", "stadium", "skyscraper", "chimney"), 30.0),
+    "cooling_tower": 80.0,
 }
+_HEIGHT_KEYS = ("height", "building:height", "est_height", "estimated_height")
+_ABOUT_THE_HEIGHT = ("source", "accuracy", "date", "note", "ele", "eaves", "min", "hub")
+_READ_AS_LENGTHS = (*_HEIGHT_KEYS, "min_height", "roof:height")
+_READ_AS_COUNTS = ("building:levels", "roof:levels", "building:min_level")
 
-# Objects that are tall but not buildings: height without a height tag, width of one that is mapped
-# as a point [m].
-_TALL = {
-    ("man_made", "chimney"): (30.0, 3.0),
-    ("man_made", "communications_tower"): (100.0, 10.0),
-    ("man_made", "crane"): (40.0, 4.0),
-    ("man_made", "flagpole"): (12.0, 0.5),
-    ("man_made", "mast"): (30.0, 1.0),
-    ("man_made", "silo"): (15.0, 6.0),
-    ("man_made", "storage_tank"): (8.0, 6.0),
-    ("man_made", "tower"): (25.0, 5.0),
-    ("man_made", "water_tower"): (30.0, 8.0),
-    ("power", "tower"): (30.0, 6.0),
-}
+_TREE_HEIGHT, _SCRUB_HEIGHT = 10.0, 2.0  # *assumed* [m]
+_CROWN_PER_HEIGHT = 0.45  # *assumed*
 
-_TREE_HEIGHT, _SCRUB_HEIGHT = 10.0, 2.0  # [m]
-_CROWN_PER_HEIGHT = 0.45
+_BURIED_PLACES = frozenset({"underground", "underwater", "indoor", "indoors", "subsea"})
+# Values of `tunnel` that lead something through or below a building, which stands itself.
+_PASSAGES = frozenset({"building_passage", "avalanche_protector", "covered", "arcade"})
 
 
-def length(text: str | None) -> float | None:
-    """A length in metres from "12", "12 m", "12,5", "40'", "40 ft", "5'10\\"" or a ;-list of such.
+class Told(NamedTuple):
+    """A height that the tags tell, and whether they tell it in storeys."""
 
-    Of several the largest counts. None if there is no number that makes sense.
-    """
-    found = [_one_length(part.strip()) for part in (text or "").split(";")]
-    sound = [value for value in found if value is not None and 0.0 < value <= _TALLEST]
-    return max(sound, default=None)
-
-
-def _one_length(text: str) -> float | None:
-    if match := _FEET_INCHES.fullmatch(text):
-        return float(match[1]) * _FOOT + float(match[2]) * _INCH
-    if match := _LENGTH.fullmatch(text):
-        value, unit = float(match[1].replace(",", ".")), (match[2] or "m").lower()
-        return value if unit.startswith("m") else value * _FOOT
-    return None
-
-
-def count(text: str | None) -> float | None:
-    """The largest of the numbers in a text such as "3", "2.5" or "3-4"."""
-    numbers = [float(n) for n in re.findall(r"\d{1,4}(?:\.\d{1,3})?", text or "")]
-    return max(numbers, default=None)
+    height: float  # of the top above the ground [m]
+    by_levels: bool
 
 
 def buried(tags: Tags) -> bool:
-    """Whether it lies below the ground or inside of something: tunnels, negative layers, rooms."""
-    if tags.get("tunnel", "no") != "no" or tags.get("indoor", "no") != "no":
+    """Whether it lies below the ground or inside of something: tunnels, rooms, cellars.
+
+    `layer` only says what lies over what where two things cross: a lake with layer=-1 is a lake.
+    Water that lies under water is water.
+    """
+    if tags.get("tunnel", "no") != "no" and not (stands_over(tags) and _passage(tags)):
         return True
-    if tags.get("location") in {"underground", "underwater", "indoor"}:
+    if tags.get("indoor", "no") != "no" or tags.get("underground", "no") not in {"no", "0"}:
         return True
-    layers = re.findall(r"-?\d{1,3}", tags.get("layer", "0"))
-    return bool(layers) and max(int(layer) for layer in layers) < 0
+    places = {place.strip() for place in tags.get("location", "").split(";")}
+    if _wet(tags):
+        places -= {"underwater"}
+    return bool(places) and places <= _BURIED_PLACES
+
+
+def stands_over(tags: Tags) -> bool:
+    """Whether it is a building or a part of one."""
+    return building(tags) or part(tags)
+
+
+def _passage(tags: Tags) -> bool:
+    return tags["tunnel"] in _PASSAGES
+
+
+def _wet(tags: Tags) -> bool:
+    return tags.get("natural") in {"water", "wetland", "bay", "strait"} or any(
+        key in tags for key in ("water", "waterway")
+    )
 
 
 def building(tags: Tags) -> bool:
@@ -87,46 +83,85 @@ def part(tags: Tags) -> bool:
     return tags.get("building:part", "no") != "no"
 
 
-def tagged_height(tags: Tags) -> float | None:
-    """Top of a building or part above the ground [m], if its tags give one.
+def told_height(tags: Tags) -> Told | None:
+    """Top of something above the ground, if its tags tell it: a height first, then storeys.
 
-    min_height is left out on purpose: whatever floats counts as solid down to the ground.
+    min_height does not come off: whatever floats counts as solid down to the ground.
     """
-    for key in ("height", "building:height", "est_height"):
+    for key in (*_HEIGHT_KEYS, *_special_heights(tags)):
         if (height := length(tags.get(key))) is not None:
-            return height
-    levels = count(tags.get("building:levels"))
-    if levels is None:
-        return None
+            return Told(height, by_levels=False)
+    hub, rotor = length(tags.get("height:hub")), length(tags.get("rotor:diameter"))
+    if hub is not None:
+        return Told(hub + (rotor or 0.0) / 2.0, by_levels=False)
     roof = length(tags.get("roof:height"))
     if roof is None:
         roof = LEVEL_HEIGHT * (count(tags.get("roof:levels")) or 0.0)
+    if (eaves := length(tags.get("height:eaves"))) is not None:
+        return Told(eaves + roof, by_levels=False)
+    levels = count(tags.get("building:levels"))
+    if levels is None:
+        return None
     height = LEVEL_HEIGHT * levels + roof
-    return height if 0.0 < height <= _TALLEST else None
+    return Told(height, by_levels=True) if 0.0 < height <= TALLEST else None
+
+
+def tagged_height(tags: Tags) -> float | None:
+    """Top of a building or part above the ground [m], if its tags tell one."""
+    told = told_height(tags)
+    return None if told is None else told.height
 
 
 def usual_height(tags: Tags, default: float) -> float:
-    """Height of a building of that kind that has no height tag [m]."""
-    return _USUAL_HEIGHTS.get(tags.get("building", ""), default)
+    """Height of a building of that kind that has no height tag [m].
+
+    What begins at a `min_height` is at least a storey higher than that.
+    """
+    kind = tags.get("building", "")
+    usual = _USUAL_HEIGHTS.get(kind, _USUAL_HEIGHTS.get(tags.get("man_made", ""), default))
+    return max(usual, floor_height(tags))
 
 
-def tall(tags: Tags) -> tuple[float, float] | None:
-    """Height and width [m] of a tall object that is no building, such as a chimney; else None."""
-    for key in ("man_made", "power"):
-        if (usual := _TALL.get((key, tags.get(key, "")))) is not None:
-            return tagged_height(tags) or usual[0], length(tags.get("diameter")) or usual[1]
-    return None
+def floor_height(tags: Tags) -> float:
+    """The least top that something with a `min_height` or `building:min_level` has [m], else 0."""
+    lowest = length(tags.get("min_height")) or 0.0
+    lowest = max(lowest, LEVEL_HEIGHT * (count(tags.get("building:min_level")) or 0.0))
+    return min(lowest + LEVEL_HEIGHT, TALLEST) if lowest > 0.0 else 0.0
+
+
+def not_understood(tags: Tags) -> list[str]:
+    """The tags about heights that nobody could read, as "height='tall'"."""
+    lengths = (*_READ_AS_LENGTHS, *_special_heights(tags))
+    odd = [key for key in lengths if key in tags and length(tags[key]) is None]
+    odd += [key for key in _READ_AS_COUNTS if key in tags and count(tags[key]) is None]
+    zero = {"min_height", "roof:height"}  # where nothing is a height, too
+    return [f"{key}={tags[key]!r}" for key in odd if not (key in zero and _is_zero(tags[key]))]
+
+
+def _is_zero(text: str) -> bool:
+    return count(text) == 0.0
+
+
+def _special_heights(tags: Tags) -> list[str]:
+    """Keys such as height:total, which count where there is no plain height."""
+    keys = [key for key in tags if key.startswith(("height:", "building:height:"))]
+    return sorted(key for key in keys if key.rpartition(":")[2] not in _ABOUT_THE_HEIGHT)
 
 
 def tree(tags: Tags) -> tuple[float, float] | None:
     """Height and crown diameter [m] of a tree or a row of trees; else None."""
     if tags.get("natural") not in {"tree", "tree_row"}:
         return None
-    height = length(tags.get("height")) or _TREE_HEIGHT
+    height = plant_height(tags) or _TREE_HEIGHT
     return height, length(tags.get("diameter_crown")) or _CROWN_PER_HEIGHT * height
 
 
 def wood_height(tags: Tags) -> float:
     """Height of an area of TREES [m]."""
     usual = _SCRUB_HEIGHT if tags.get("natural") == "scrub" else _TREE_HEIGHT
-    return length(tags.get("height")) or usual
+    return plant_height(tags) or usual
+
+
+def plant_height(tags: Tags) -> float | None:
+    """Height of a tree or a wood [m], if its tags tell one."""
+    return length(tags.get("height")) or length(tags.get("est_height"))
