@@ -246,7 +246,8 @@ def test_what_lies_on_top(read: Callable[..., World]) -> None:
     extract = Extract()
     extract.way(box(0, 0, 100, 100), {"leisure": "park"})
     extract.way(box(40, 40, 80, 80), {"natural": "water"})
-    extract.way(box(50, 50, 60, 60), {"leisure": "pitch"})  # on an island, say
+    extract.way(box(50, 50, 60, 60), {"leisure": "pitch"})
+    extract.way(box(48, 48, 62, 62), {"place": "islet"})
     extract.way([(0, 70), (100, 70)], {"railway": "rail"})
     extract.way([(20, 0), (20, 100)], {"highway": "footway"})
     extract.way([(0, 20), (100, 20)], {"highway": "residential", "bridge": "yes", "layer": "1"})

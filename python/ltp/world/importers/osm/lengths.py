@@ -12,11 +12,12 @@ _FOOT, _INCH, _YARD, _MILE = 0.3048, 0.0254, 0.9144, 1609.344  # international, 
 
 _METRE_WORDS = (
     "m mt mts mtr mtrs meter meters metre metres metro metros mètre mètres metri м метр метра "
-    "метров метри μ μέτρα μετρα 米 公尺 公呎 メートル 미터 מטר מ متر م मीटर เมตร mét"
+    "метров метри μ μέτρα μετρα 米 公尺 メートル 미터 מטר מ متر م मीटर เมตร mét"
 )
 _FOOT_WORDS = (
     "' ft fts feet foot fuß fuss pied pieds pie pies pés фут фута футов 呎 英尺 フィート 피트 قدم"
 )
+_INCH_WORDS = '" in ins inch inches zoll pouce pouces дюйм 吋 英寸 インチ'
 _UNITS: dict[str, float] = {
     **dict.fromkeys(_METRE_WORDS.split(), 1.0),
     **dict.fromkeys(("km", "kms", "kilometer", "kilometre", "км", "公里", "千米"), 1000.0),
@@ -24,27 +25,11 @@ _UNITS: dict[str, float] = {
     **dict.fromkeys(("cm", "cms", "см", "厘米", "公分", "センチ"), 0.01),
     **dict.fromkeys(("mm", "мм", "毫米"), 0.001),
     **dict.fromkeys(_FOOT_WORDS.split(), _FOOT),
-    **dict.fromkeys(
-        [
-            '"',
-            "in",
-            "ins",
-            "inch",
-            "inches",
-            "zoll",
-            "pouce",
-            "pouces",
-            "дюйм",
-            "吋",
-            "英寸",
-            "インチ",
-        ],
-        _INCH,
-    ),
+    **dict.fromkeys(_INCH_WORDS.split(), _INCH),
     **dict.fromkeys(["yd", "yds", "yard", "yards", "ярд", "碼", "码"], _YARD),
     **dict.fromkeys(["mi", "mile", "miles"], _MILE),
 }
-# What a second number without a unit of its own counts in, and how many there may be: 394'0, 1 m 50.
+# What a second number without a unit of its own counts in (394'0, 1 m 50), and what it is below.
 _NEXT_UNIT = {_FOOT: (_INCH, 12.0), 1.0: (0.01, 100.0), _YARD: (_FOOT, 3.0)}
 
 _SIGNS = str.maketrans(
@@ -61,7 +46,7 @@ _SIGNS = str.maketrans(
 )
 _FRACTIONS = {"¼": ".25", "½": ".5", "¾": ".75", "⅓": ".333", "⅔": ".667"}
 _NUMBER = r"(?:\d+(?:[ ,.]\d+)*|\.\d+)"
-_WORD = r"'|\"|[^\W\d_]+"
+_WORD = r"'|\"|[^\W\d_][^\s\d'\"+~.,;()-]*"  # not \w alone: vowel signs are no letters
 _QUANTITY = re.compile(rf"({_NUMBER})\s*({_WORD})?[.,]?\s*")
 _ABOUT = re.compile(
     r"^(?:[-~≈≃≅±><≥≤=\s]|(?:ca|c|circa|approx|approximately|appr|about|around|roughly|"
@@ -81,7 +66,7 @@ _LONGEST = 100  # of a text that is still read
 
 @lru_cache(maxsize=4096)
 def length(text: str | None) -> float | None:
-    """A length in metres out of what people write: "12", "12,5 m", "40'", "394 ft 0 in", "1,234 ft".
+    """A length in metres out of what people write: "12", "12,5 m", "40'", "394 ft 0 in".
 
     Of a list ("12;15", "12 m (39 ft)") and of a range ("100-120") the largest counts, of a sum
     ("12+3") the whole. Signs of doubt ("~12", "ca. 12", ">12", "12+") are passed over. A comma

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What relations say: areas of many ways, whose tags may lie on the ways, and buildings in pieces."""
+"""What relations say: areas of many ways, tagged here or on the ways, and buildings in pieces."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -11,23 +11,8 @@ from .tags import Tags, building, buried, part
 
 # Keys that say nothing about what an area is.
 _ASIDE = frozenset(
-    [
-        "type",
-        "source",
-        "note",
-        "fixme",
-        "FIXME",
-        "created_by",
-        "attribution",
-        "description",
-        "name",
-        "comment",
-        "source:date",
-        "start_date",
-        "wikidata",
-        "wikipedia",
-        "website",
-    ]
+    ("type", "source", "source:date", "note", "fixme", "FIXME", "created_by", "attribution")
+    + ("description", "comment", "name", "start_date", "wikidata", "wikipedia", "website")
 )
 
 

@@ -39,7 +39,8 @@ def assemble(
         areas[index] = sound_area(
             shapely.union_all([sound_area(shapely.Polygon(p[0], p[1:])) for p in polygons])
         )
-    mended, empty = [], []
+    mended: list[int] = []
+    empty: list[int] = []
     for index, lines in enumerate(relations):
         if not areas[index].is_empty:
             continue

@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 from ltp.world.classes import LandClass
 
 from ..optional import require
-from .cover import area_cover, is_area, line_cover
+from .cover import area_cover, deck, is_area, island, line_cover
 from .relations import Area, Meaning, understand
 from .rings import Places, assemble, sound_area
 from .source import Box, Source, Way, read_source
 from .standing import tall
-from .tags import buried, stands_over
+from .tags import buried, stands_over, tree
 
 _PURPOSE = "reading OpenStreetMap files"
 # Half of an area of these is worse than none: what it lacks would look free, or dry.
@@ -66,7 +66,7 @@ def read_shapes(path: Path, crs: Any, near: Box, box: Any) -> tuple[Source, Shap
     """
     source = read_source(path, near)
     drawing = _Drawing(source, crs, box)
-    if not source.near and not source.nodes and not drawing.meets(near):
+    if source.extent is None or not (source.near or source.nodes or drawing.meets(near)):
         where = (
             "no way with its nodes"
             if source.extent is None
@@ -81,10 +81,11 @@ def read_shapes(path: Path, crs: Any, near: Box, box: Any) -> tuple[Source, Shap
         raise ValueError(f"{path} cannot be read as an OpenStreetMap file: {error}") from error
     if drawing.lacking:
         some = ", ".join(drawing.lacking[:_NAMED])
-        more = f" and {len(drawing.lacking) - _NAMED} more" if len(drawing.lacking) > _NAMED else ""
+        rest = len(drawing.lacking) - _NAMED
+        more = f" and {rest} more" if rest > 0 else ""
         raise ValueError(
-            f"{path} lacks nodes of what lies in the bounds ({some}{more}): nobody can tell how far "
-            "it reaches; cut the extract with osmium extract --strategy complete_ways or smart, or "
+            f"{path} lacks nodes of what lies in the bounds ({some}{more}): nobody can tell how "
+            "far it reaches; cut the extract with osmium extract --strategy smart, or "
             "choose bounds that lie further inside"
         )
     return source, drawing.shapes
@@ -139,7 +140,8 @@ class _Drawing:
         if not tags:
             return False
         if buried(tags):
-            self.shapes.note("buried or indoors", key)
+            if _matters(tags):
+                self.shapes.note("buried or indoors", key)
             return False
         return True
 
@@ -152,7 +154,7 @@ class _Drawing:
             return
         closed = len(points) > 3 and bool((points[0] == points[-1]).all())
         wanted = is_area(tags) and not spent
-        if way.lacks_nodes:
+        if way.lacks_nodes and _matters(tags):
             known = shapely.MultiPoint(points).convex_hull
             if wanted and self._needed(tags) and known.intersects(self.box):
                 self.lacking.append(key)
@@ -179,7 +181,7 @@ class _Drawing:
 
     def _areas(self) -> tuple[list[Shape], set[int]]:
         """The areas that relations make, and the ways that are none beside them."""
-        wanted = [area for area in self.meaning.areas if area.ways]
+        wanted = [area for area in self.meaning.areas if area.ways and _matters(area.tags)]
         lines = [
             [piece for ref in area.ways for piece in _pieces(self.source.ways[ref])]
             for area in wanted
@@ -206,7 +208,7 @@ class _Drawing:
         return shapes, spent
 
     def _cut_in_the_box(self, area: Area, geometry: Any) -> bool:
-        """Whether an area that must not be missed lacks nodes, or a building members, in the box."""
+        """Whether what must not be missed lacks nodes, or a building members, in the box."""
         shapely = require("shapely", _PURPOSE)
         ways = [self.source.ways[ref] for ref in area.ways]
         cut = [way for way in ways if way.lacks_nodes]
@@ -223,6 +225,14 @@ class _Drawing:
         degrees = np.concatenate(pieces) / 1e7
         xy = np.column_stack(self.transformer.transform(degrees[:, 0], degrees[:, 1]))
         return np.split(xy, np.cumsum([len(piece) for piece in pieces])[:-1])
+
+
+def _matters(tags: dict[str, str]) -> bool:
+    """Whether something with these tags leaves a trace in the world."""
+    if stands_over(tags) or tree(tags) is not None or island(tags) or deck(tags):
+        return True
+    covers = area_cover(tags) is not None or line_cover(tags) is not None
+    return covers or tall(tags) is not None
 
 
 def _pieces(way: Way) -> list[Places]:

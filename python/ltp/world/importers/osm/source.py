@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The objects of an OpenStreetMap file as they stand last: in any order, of any sign, not deleted."""
+"""The objects of an OpenStreetMap file as they stand last, in whatever order they come."""
 
 import mmap
 import re
@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..optional import require
+from .pbf import check_frames
 
 Box = tuple[float, float, float, float]
 _SUFFIXES = (".osm", ".pbf")
@@ -91,6 +92,8 @@ def read_source(path: Path, near: Box) -> Source:
     with path.open("rb"):
         pass  # a file that may not be read is told as such
     try:
+        if path.suffix == ".pbf":
+            check_frames(path)
         reading = _Reading(osmium, path, near)
         reading.relations()
         reading.nodes()

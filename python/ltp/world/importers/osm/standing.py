@@ -1,11 +1,15 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which things of OpenStreetMap stand up from the ground though they are no buildings, and how high."""
+"""Which things of OpenStreetMap stand though they are no buildings, and how high they are."""
 
 from typing import NamedTuple
 
 from .lengths import length
 from .tags import Tags, told_height
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
 
 
 class Standing(NamedTuple):
@@ -63,7 +67,7 @@ _KNOWN = {
     ("landmark", "chimney"): (30.0, 3.0),
     ("railway", "water_tower"): (15.0, 6.0),
 }
-_KNOWN_KEYS = tuple(dict.fromkeys(key for key, _ in _KNOWN))
+_KEYS = tuple(dict.fromkeys(key for key, _ in _KNOWN))
 _WIND_TURBINE = 100.0  # [m], *assumed*
 _ROTOR_PER_HEIGHT = 2 / 3  # tip height to rotor diameter, *assumed*; blades sweep all of it
 _WIDTH_PER_HEIGHT, _THINNEST, _WIDEST = 0.05, 1.0, 10.0  # of any other thing, *assumed* [m]
@@ -89,96 +93,29 @@ _ONLY = {
     "highway": frozenset({"street_lamp", "elevator", "speed_camera", "toll_gantry"}),
     "natural": frozenset({"rock", "stone", "monolith", "arch"}),
     "waterway": frozenset({"dam", "weir", "lock_gate", "boat_lift"}),
-    "railway": frozenset(
-        [
-            "station",
-            "halt",
-            "platform",
-            "signal",
-            "signal_box",
-            "water_tower",
-            "water_crane",
-            "gantry",
-            "tower",
-            "ventilation_shaft",
-            "catenary_mast",
-            "loading_ramp",
-            "loading_rack",
-        ]
+    "railway": _words(
+        "station halt platform signal signal_box water_tower water_crane gantry tower "
+        "ventilation_shaft catenary_mast loading_ramp loading_rack"
     ),
-    "leisure": frozenset(
-        [
-            "bandstand",
-            "bleachers",
-            "stadium",
-            "grandstand",
-            "sports_hall",
-            "sports_centre",
-            "outdoor_seating",
-            "water_park",
-            "ice_rink",
-            "hackerspace",
-            "bird_hide",
-            "wildlife_hide",
-            "fitness_station",
-            "climbing",
-            "adult_gaming_centre",
-            "amusement_arcade",
-            "dance",
-            "slide",
-            "summer_camp",
-            "picnic_table",
-            "bowling_alley",
-        ]
+    "leisure": _words(
+        "bandstand bleachers stadium grandstand sports_hall sports_centre outdoor_seating "
+        "water_park ice_rink hackerspace bird_hide wildlife_hide fitness_station climbing "
+        "adult_gaming_centre amusement_arcade dance slide summer_camp picnic_table "
+        "bowling_alley"
     ),
     "aerialway": frozenset({"pylon", "station"}),
 }
 _EXCEPT = {
-    "barrier": frozenset(
-        [
-            "gate",
-            "lift_gate",
-            "swing_gate",
-            "sliding_gate",
-            "sliding_beam",
-            "hampshire_gate",
-            "kissing_gate",
-            "wicket_gate",
-            "height_restrictor",
-            "kerb",
-            "entrance",
-            "cattle_grid",
-            "stile",
-            "cycle_barrier",
-            "motorcycle_barrier",
-            "horse_stile",
-            "bump_gate",
-            "chain",
-            "rope",
-            "border_control",
-            "sally_port",
-            "full-height_turnstile",
-            "ditch",
-            "spikes",
-        ]
+    "barrier": _words(
+        "gate lift_gate swing_gate sliding_gate sliding_beam hampshire_gate kissing_gate "
+        "wicket_gate height_restrictor kerb entrance cattle_grid stile cycle_barrier "
+        "motorcycle_barrier horse_stile bump_gate chain rope border_control sally_port "
+        "full-height_turnstile ditch spikes"
     ),
     "power": frozenset({"line", "minor_line", "cable"}),
-    "man_made": frozenset(
-        [
-            "cutline",
-            "clearcut",
-            "adit",
-            "mineshaft",
-            "embankment",
-            "manhole",
-            "tunnel",
-            "survey_point",
-            "reservoir_covered",
-            "water_well",
-            "petroleum_well",
-            "borehole",
-            "spoil_heap",
-        ]
+    "man_made": _words(
+        "cutline clearcut adit mineshaft embankment manhole tunnel survey_point "
+        "reservoir_covered water_well petroleum_well borehole spoil_heap"
     ),
     "tourism": frozenset({"viewpoint", "camp_site", "caravan_site", "picnic_site"}),
     "amenity": frozenset(
@@ -189,20 +126,9 @@ _EXCEPT = {
 #: Wires and ropes: obstacles that no raster of heights can hold.
 _WIRES = {
     "power": _EXCEPT["power"] - {"cable"},
-    "aerialway": frozenset(
-        [
-            "cable_car",
-            "gondola",
-            "mixed_lift",
-            "chair_lift",
-            "drag_lift",
-            "t-bar",
-            "j-bar",
-            "platter",
-            "rope_tow",
-            "goods",
-            "zip_line",
-        ]
+    "aerialway": _words(
+        "cable_car gondola mixed_lift chair_lift drag_lift t-bar j-bar platter rope_tow "
+        "goods zip_line"
     ),
 }
 # Closed ways with one of these are loops of something thin.
@@ -217,24 +143,23 @@ def tall(tags: Tags) -> Standing | None:
     height and nothing says that it is not the height of something standing: the clearance of a
     gate or a road, the drop of a cliff, a tree, a wire.
     """
-    kind = next((pair for key in _KNOWN_KEYS if (pair := (key, tags.get(key, ""))) in _KNOWN), None)
+    kind = next((pair for key in _KEYS if (pair := (key, tags.get(key, ""))) in _KNOWN), None)
     told = told_height(tags)
     if _wind_turbine(tags):
         height = told.height if told else _WIND_TURBINE
-        width = length(tags.get("rotor:diameter")) or _ROTOR_PER_HEIGHT * height
-        return Standing(height, width, told is not None)
+        rotor = length(tags.get("rotor:diameter")) or _ROTOR_PER_HEIGHT * height
+        return Standing(height, rotor, told is not None)
     if kind is not None:
         usual_height, usual_width = _KNOWN[kind]
         height = told.height if told else usual_height
-        wheel = kind == ("attraction", "big_wheel")  # as wide as it is high, whichever way it faces
-        width = length(tags.get("diameter")) or (height if wheel else usual_width)
-        return Standing(height, width, told is not None)
+        if kind == ("attraction", "big_wheel"):  # as wide as it is high, whichever way it faces
+            usual_width = height
+        return Standing(height, length(tags.get("diameter")) or usual_width, told is not None)
     if told is None or told.by_levels or not _may_stand(tags):
         return None
-    width = length(tags.get("diameter")) or length(tags.get("width"))
-    if width is None:
-        width = min(max(_WIDTH_PER_HEIGHT * told.height, _THINNEST), _WIDEST)
-        width = _WALL_WIDTH if "barrier" in tags else width
+    usual = min(max(_WIDTH_PER_HEIGHT * told.height, _THINNEST), _WIDEST)
+    usual = _WALL_WIDTH if "barrier" in tags else usual
+    width = length(tags.get("diameter")) or length(tags.get("width")) or usual
     return Standing(told.height, width, told=True)
 
 

@@ -23,12 +23,11 @@ def summary(
     source: Source, shapes: Shapes, solids: Solids, box: Any, default_height: float
 ) -> tuple[str, ...]:
     """Sentences about everything that meets `box`, the area of the world (a shapely polygon)."""
-    inside = Shapes(
-        *(
-            [s for s in k if s.geometry.intersects(box)]
-            for k in (shapes.points, shapes.lines, shapes.areas)
-        )
+    points, lines, areas = (
+        [shape for shape in kind if shape.geometry.intersects(box)]
+        for kind in (shapes.points, shapes.lines, shapes.areas)
     )
+    inside = Shapes(points, lines, areas)
     return (
         _read(inside),
         *_heights(inside, solids, box, default_height),

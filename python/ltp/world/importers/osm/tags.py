@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tags of OpenStreetMap say about what stands on the ground: heights, and what is buried."""
+"""What the tags of OpenStreetMap say of what stands on the ground: heights, and what is buried."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
