@@ -8,46 +8,15 @@ from hypothesis import strategies as st
 
 from ltp.world import LandClass
 from ltp.world.importers.osm import cover as osm_cover
+from ltp.world.importers.osm import standing
 from ltp.world.importers.osm import tags as osm_tags
-
-
-@pytest.mark.parametrize(
-    ("text", "metres"),
-    [
-        ("12", 12.0),
-        ("12.5", 12.5),
-        ("12,5", 12.5),
-        ("12 m", 12.0),
-        ("12m", 12.0),
-        ("12 metres", 12.0),
-        ("~12", 12.0),
-        ("40'", 12.192),
-        ("40 ft", 12.192),
-        ("69.5 ft", 21.1836),
-        ("5'10\"", 1.778),
-        ("5;5.5", 5.5),
-        ("3 m; 10 ft", 3.048),
-        ("", None),
-        (None, None),
-        ("tall", None),
-        ("0", None),
-        ("-3", None),
-        ("12 km", None),
-        ("12000", None),
-        ("1e9", None),
-        ("9" * 400, None),
-        ("nan", None),
-    ],
-)
-def test_lengths(text: str | None, metres: float | None) -> None:
-    assert osm_tags.length(text) == (None if metres is None else pytest.approx(metres))
 
 
 @given(st.text())
 def test_no_text_is_too_odd_for_a_number(text: str) -> None:
     keys = ("height", "building:levels", "roof:levels", "width", "lanes", "layer", "diameter")
     tags = dict.fromkeys(keys, text) | {"highway": "primary", "man_made": "tower"}
-    for height in (osm_tags.tagged_height(tags), osm_tags.tall(tags)[0]):  # type: ignore[index]
+    for height in (osm_tags.tagged_height(tags), standing.tall(tags)[0]):  # type: ignore[index]
         assert height is None or 0.0 < height <= 1000.0
     road = osm_cover.line_cover(tags)
     assert road is not None
@@ -86,7 +55,17 @@ def test_buildings_without_a_height_get_a_usual_one() -> None:
         ({"tunnel": "yes"}, True),
         ({"tunnel": "building_passage"}, True),
         ({"tunnel": "no"}, False),
-        ({"layer": "-1"}, True),
+        ({"layer": "-1"}, False),
+        ({"layer": "-5", "natural": "water"}, False),
+        ({"location": "underground", "natural": "water"}, True),
+        ({"location": "underwater", "natural": "water"}, False),
+        ({"location": "underwater", "man_made": "pipeline"}, True),
+        ({"location": "overground", "layer": "-1"}, False),
+        ({"location": "underground;overground"}, False),
+        ({"tunnel": "culvert", "waterway": "stream"}, True),
+        ({"building": "yes", "tunnel": "building_passage"}, False),
+        ({"underground": "yes"}, True),
+        ({"indoor": "no"}, False),
         ({"layer": "-2;0"}, False),
         ({"layer": "1"}, False),
         ({"layer": "below"}, False),

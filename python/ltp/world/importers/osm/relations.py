@@ -11,8 +11,10 @@ from .tags import Tags, building, buried, part
 
 # Keys that say nothing about what an area is.
 _ASIDE = frozenset(
-    ("type", "source", "source:date", "note", "fixme", "FIXME", "created_by", "attribution")
-    + ("description", "comment", "name", "start_date", "wikidata", "wikipedia", "website")
+    (
+        *("type", "source", "source:date", "note", "fixme", "FIXME", "created_by", "attribution"),
+        *("description", "comment", "name", "start_date", "wikidata", "wikipedia", "website"),
+    )
 )
 
 
