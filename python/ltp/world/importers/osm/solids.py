@@ -16,6 +16,7 @@ from .shapes import Shape, Shapes
 from .standing import Standing, tall
 
 _BUILDING_NODE = 10.0  # width of a building that is mapped as a point, *assumed* [m]
+_WIDEST_LINE = 10.0  # of a tall thing that is mapped as a line, *assumed* [m]
 _ROOFS = frozenset({"roof", "rooftop"})
 
 
@@ -94,8 +95,10 @@ def _standing(canvas: Canvas, shapes: Shapes) -> list[Block]:
 
 def _extent(shape: Shape, size: Standing) -> Any:
     """A point as a disc, a line as a wall, an area as it is."""
-    if shape.geometry.geom_type in ("Point", "LineString"):
+    if shape.geometry.geom_type == "Point":
         return shape.geometry.buffer(size.width / 2)
+    if shape.geometry.geom_type == "LineString":
+        return shape.geometry.buffer(min(size.width, _WIDEST_LINE) / 2)
     return shape.geometry
 
 

@@ -132,7 +132,7 @@ _WIRES = {
     ),
 }
 # Closed ways with one of these are loops of something thin.
-_THIN = frozenset({"barrier", "roller_coaster", "aerialway"})
+_THIN = frozenset({"barrier", "roller_coaster"})
 _THIN_MAN_MADE = frozenset({"pipeline", "goods_conveyor", "embankment", "dyke", "groyne"})
 
 
