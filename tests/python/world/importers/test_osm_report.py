@@ -96,4 +96,4 @@ def test_the_summary_is_saved_with_the_world(tmp_path: Path) -> None:
     world = read(town().write_xml(tmp_path / "a.osm"))
     world.save(tmp_path / "a.npz")
     assert World.load(tmp_path / "a.npz").report == world.report
-    assert len(world.report) == 4
+    assert len(world.report) == 5

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ltp.world.crs import crs_name, metric_crs
+from ltp.world.crs import check_scale, crs_name, crs_report, metric_crs, refuse_degrees
 from ltp.world.world import Datum, World
 
 from ..optional import require
@@ -57,7 +57,8 @@ def read(
     Raises:
         ImportError: if osmium, pyproj, rasterio or shapely are not installed.
         ValueError: naming the file or argument and what is wrong with it; also if the file lacks
-            nodes of something in the bounds that must not be missed, such as a building.
+            nodes of something in the bounds that must not be missed, such as a building, or if the
+            scale of the CRS is off there by more than 1 %.
         OSError: if the file cannot be opened.
     """
     path = Path(path)
@@ -65,6 +66,8 @@ def read(
         raise ValueError(f"default_height must be above zero, not {default_height!r}")
     canvas = Canvas.over(bounds, cell)
     projection = metric_crs(crs, "crs")
+    refuse_degrees(bounds, "bounds", crs=projection)
+    scale = check_scale(projection, bounds, "crs")
     source, shapes = read_shapes(path, projection, _geographic(projection, bounds), canvas.box)
     try:
         paint_ground(canvas, shapes)
@@ -82,7 +85,7 @@ def read(
         cell=cell,
         datum=Datum(crs_name(projection), float(bounds[0]), float(bounds[1]), "flat ground"),
         attribution=attribution,
-        report=report,
+        report=(crs_report(projection, scale, "named by the caller"), *report),
     )
 
 
