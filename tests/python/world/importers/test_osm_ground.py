@@ -223,3 +223,15 @@ def test_what_is_buried_leaves_no_trace_but_in_the_report(world_of, tags: Tags, 
     assert np.array_equal(bare.classes, full.classes)
     assert np.array_equal(bare.surface, full.surface)
     assert any("1 x buried or indoors, such as w2" in line for line in full.report)
+
+
+def test_a_concourse_below_a_square_is_no_landing_ground(world_of) -> None:  # type: ignore[no-untyped-def]
+    extract = Extract()
+    extract.way(box(10, 10, 30, 30), {"highway": "pedestrian", "area": "yes", "layer": "-1"})
+    extract.way(box(50, 10, 70, 30), {"highway": "pedestrian", "area": "yes"})
+    extract.way(box(10, 50, 30, 70), {"leisure": "pitch", "level": "-2;-1"})
+    extract.way([(-10, 90), (110, 90)], {"highway": "residential", "layer": "-1"})  # a cutting
+    world = world_of(extract)
+    kinds = [at(world, *xy)[1] for xy in ((20, 20), (60, 20), (20, 60), (50, 90))]
+    assert kinds == [LandClass.UNKNOWN, LandClass.SQUARE, LandClass.UNKNOWN, LandClass.ROAD]
+    assert any("a pedestrian area on a layer below" in line for line in world.report)

@@ -223,3 +223,14 @@ def test_parts_of_a_building_relation_come_before_its_outline(tmp_path: Path) ->
     extract.relation(roles, {"type": "building", "height": "80"})
     world = read(extract.write_xml(tmp_path / "a.osm"))
     assert [at(world, *xy)[0] for xy in ((20, 30), (40, 30))] == [80.0, 8.0]
+
+
+@pytest.mark.parametrize("tags", [HOUSE, {"natural": "water"}], ids=str)
+def test_a_ring_with_a_gap_is_closed_and_reported(tmp_path: Path, tags: dict[str, str]) -> None:
+    extract = Extract()
+    ring: Corners = [(10, 10), (50, 10), (50, 50), (10, 50), (10, 11)]
+    arcs = [extract.way(ring[:3]), extract.way(ring[2:])]
+    extract.multipolygon([(arc, "outer") for arc in arcs], tags)
+    world = read(extract.write_xml(tmp_path / "a.osm"))
+    assert np.array_equal(world.classes != LandClass.UNKNOWN, odd([box(10, 10, 50, 50)]))
+    assert any("mended, such as r1" in line for line in world.report)

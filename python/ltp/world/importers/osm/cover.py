@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tags of OpenStreetMap say about the ground: its cover, and how wide a line of it is."""
 
+import re
+
 from ltp.world.classes import LandClass
 
 from .lengths import count, length
@@ -119,6 +121,14 @@ def deck(tags: Tags) -> bool:
         return True
     above = (count(tags.get("layer")) or 0.0) > 0.0
     return above and ("highway" in tags or "railway" in tags or area_cover(tags) in _SEALED)
+
+
+def concourse(tags: Tags) -> bool:
+    """Whether it is a road or pedestrian area below the others: under a station, more often than
+    not, and so no landing ground.
+    """
+    layers = re.findall(r"-?\d+", tags.get("layer", "0"))
+    return "highway" in tags and bool(layers) and all(layer.startswith("-") for layer in layers)
 
 
 def marsh(tags: Tags) -> bool:

@@ -12,7 +12,7 @@ from ltp.world.classes import LandClass
 from ..optional import require
 from .canvas import Canvas
 from .coast import sea
-from .cover import area_cover, deck, island, line_cover, marsh
+from .cover import area_cover, concourse, deck, island, line_cover, marsh
 from .shapes import Shape, Shapes
 
 # Lines lie on top of areas, in this order: a crossing belongs to the road.
@@ -35,6 +35,12 @@ def paint_ground(canvas: Canvas, shapes: Shapes) -> None:
     """
     kinds = [(s, area_cover(s.tags)) for s in shapes.areas]
     land = [(s, k) for s, k in kinds if k not in (None, LandClass.TREES, LandClass.WATER)]
+    for shape, _ in land:
+        if concourse(shape.tags) and shape.geometry.intersects(canvas.box):
+            shapes.note(
+                "a pedestrian area on a layer below the ground: no landing ground", shape.key
+            )
+    land = [(shape, kind) for shape, kind in land if not concourse(shape.tags)]
     land.sort(key=lambda item: _by_size(item[0]))
     canvas.paint([(shape.geometry, kind) for shape, kind in land if kind is not None])
 

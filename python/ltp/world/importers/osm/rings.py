@@ -17,13 +17,16 @@ _PURPOSE = "reading OpenStreetMap files"
 
 
 def assemble(
-    relations: Sequence[Sequence[Places]], project: Callable[[list[Places]], list[Points]]
+    relations: Sequence[Sequence[Places]],
+    whole: Sequence[bool],
+    project: Callable[[list[Places]], list[Points]],
 ) -> tuple[list[Any], list[int], list[int]]:
     """The area of each multipolygon, given as the lines of its ways, in any order and any role.
 
     What lies within an odd number of rings is inside (even-odd), as libosmium's area assembler has
     it. Rings that it refuses (they cross, or do not close) are mended: the same rule over all that
-    encloses something, lines that end nowhere left out.
+    encloses something, lines that end nowhere left out. Where then nothing is left of a relation
+    that is `whole` in the file, its lines are closed by straight ones.
 
     Returns:
         The areas (shapely, projected; empty where nothing encloses anything), and the indices of
@@ -44,7 +47,10 @@ def assemble(
     for index, lines in enumerate(relations):
         if not areas[index].is_empty:
             continue
-        areas[index] = even_odd(project([line for line in lines if len(line) > 1]))
+        points_of_lines = project([line for line in lines if len(line) > 1])
+        areas[index] = even_odd(points_of_lines)
+        if areas[index].is_empty and whole[index]:
+            areas[index] = even_odd(_closed(points_of_lines))
         (empty if areas[index].is_empty else mended).append(index)
     return areas, mended, empty
 
@@ -116,6 +122,16 @@ def even_odd(lines: Sequence[Points]) -> Any:
     edges = np.unique(_ordered(edges), axis=0)
     inside = [face for face in faces if _parity(face.representative_point(), edges)]
     return sound_area(shapely.union_all(inside))
+
+
+def _closed(lines: Sequence[Points]) -> list[Points]:
+    """Lines joined where they meet, and closed where they do not."""
+    shapely = require("shapely", _PURPOSE)
+    if not lines:
+        return []
+    joined = shapely.get_parts(shapely.line_merge(shapely.MultiLineString(list(lines))))
+    chains = [shapely.get_coordinates(line) for line in joined]
+    return [np.vstack([chain, chain[:1]]) for chain in chains if len(chain) > 2]
 
 
 def _ordered(pieces: Points) -> Points:

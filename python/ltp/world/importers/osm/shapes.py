@@ -186,7 +186,11 @@ class _Drawing:
             [piece for ref in area.ways for piece in _pieces(self.source.ways[ref])]
             for area in wanted
         ]
-        built, mended, empty = assemble(lines, self._project)
+        whole = [
+            not area.missing and not any(self.source.ways[ref].lacks_nodes for ref in area.ways)
+            for area in wanted
+        ]
+        built, mended, empty = assemble(lines, whole, self._project)
         shapes: list[Shape] = []
         spent: set[int] = set()
         for index, (area, geometry) in enumerate(zip(wanted, built, strict=True)):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tags of OpenStreetMap say of what stands on the ground: heights, and what is buried."""
 
+import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
@@ -50,7 +51,11 @@ def buried(tags: Tags) -> bool:
     """
     if tags.get("tunnel", "no") != "no" and not (stands_over(tags) and _passage(tags)):
         return True
-    if tags.get("indoor", "no") != "no" or tags.get("underground", "no") not in {"no", "0"}:
+    if (
+        _basement(tags)
+        or tags.get("indoor", "no") != "no"
+        or tags.get("underground", "no") not in {"no", "0"}
+    ):
         return True
     places = {place.strip() for place in tags.get("location", "").split(";")}
     if _wet(tags):
@@ -65,6 +70,12 @@ def stands_over(tags: Tags) -> bool:
 
 def _passage(tags: Tags) -> bool:
     return tags["tunnel"] in _PASSAGES
+
+
+def _basement(tags: Tags) -> bool:
+    """Whether it lies on floors below the ground, as `level` counts them."""
+    floors = re.findall(r"-?\d+", tags.get("level", ""))
+    return bool(floors) and all(floor.startswith("-") for floor in floors)
 
 
 def _wet(tags: Tags) -> bool:
