@@ -37,9 +37,7 @@ def paint_ground(canvas: Canvas, shapes: Shapes) -> None:
     land = [(s, k) for s, k in kinds if k not in (None, LandClass.TREES, LandClass.WATER)]
     for shape, _ in land:
         if concourse(shape.tags) and shape.geometry.intersects(canvas.box):
-            shapes.note(
-                "a pedestrian area on a layer below the ground: no landing ground", shape.key
-            )
+            shapes.note("a pedestrian area on a layer below the ground: not painted", shape.key)
     land = [(shape, kind) for shape, kind in land if not concourse(shape.tags)]
     land.sort(key=lambda item: _by_size(item[0]))
     canvas.paint([(shape.geometry, kind) for shape, kind in land if kind is not None])

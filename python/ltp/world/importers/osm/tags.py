@@ -51,11 +51,7 @@ def buried(tags: Tags) -> bool:
     """
     if tags.get("tunnel", "no") != "no" and not (stands_over(tags) and _passage(tags)):
         return True
-    if (
-        _basement(tags)
-        or tags.get("indoor", "no") != "no"
-        or tags.get("underground", "no") not in {"no", "0"}
-    ):
+    if _basement(tags) or any(tags.get(key, "no") != "no" for key in ("indoor", "underground")):
         return True
     places = {place.strip() for place in tags.get("location", "").split(";")}
     if _wet(tags):
@@ -74,13 +70,18 @@ def _passage(tags: Tags) -> bool:
 
 def _basement(tags: Tags) -> bool:
     """Whether it lies on floors below the ground, as `level` counts them."""
+    if stands_over(tags) or _wet(tags):  # a sunken fountain is no landing ground, wherever it is
+        return False
     floors = re.findall(r"-?\d+", tags.get("level", ""))
     return bool(floors) and all(floor.startswith("-") for floor in floors)
 
 
 def _wet(tags: Tags) -> bool:
-    return tags.get("natural") in {"water", "wetland", "bay", "strait"} or any(
-        key in tags for key in ("water", "waterway")
+    return (
+        tags.get("natural") in {"water", "wetland", "bay", "strait"}
+        or tags.get("leisure") == "swimming_pool"
+        or tags.get("amenity") == "fountain"
+        or any(key in tags for key in ("water", "waterway"))
     )
 
 
