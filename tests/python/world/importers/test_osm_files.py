@@ -203,7 +203,7 @@ def test_an_outline_that_is_not_closed_is_closed_and_reported(tmp_path: Path) ->
     extract.way(box(60, 75, 70, 85)[:-1], HOUSE)
     world = read(extract.write_xml(tmp_path / "a.osm"))
     assert at(world, 65, 80)[0] == 30.0
-    assert any("outline is not closed: closed, such as w5" in line for line in world.report)
+    assert any("an outline that is not closed: closed, such as w5" in line for line in world.report)
 
 
 # --- hostile files -------------------------------------------------------------------------------

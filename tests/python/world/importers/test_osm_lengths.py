@@ -13,7 +13,7 @@ FOOT, INCH, YARD, MILE = 0.3048, 0.0254, 0.9144, 1609.344
 METRES = (
     "m", " m", "m.", " mt", " mts", " mtr", " meters", " metre", " Meter", " mètres", " metros",
     " м", " м.", " метров", " 米", "米", " 公尺", " メートル", " ㍍", " 미터", " מטר", " متر",
-    " मीटर", " เมตร", "ｍ", "\u00a0m",
+    " मीटर", " เมตร", " מ׳", " მ", " metrów", "ｍ", "\u00a0m",
 )  # fmt: skip
 FEET = ("'", "′", "’", "´", "`", "＇", " ft", "ft", " ft.", " feet", " foot", " Fuß", " pieds",
         " pies", " pés", " футов", " 呎", " フィート", " 피트", "-ft")  # fmt: skip
@@ -66,6 +66,7 @@ def test_signs_of_doubt_behind_a_number(start: str, end: str) -> None:
 def test_ranges_take_the_upper_value(sign: str, unit: str, metres: float) -> None:
     assert length(f"100{sign}120{unit}") == pytest.approx(120.0 * metres)
     assert length(f"ca. 100{unit}{sign}120{unit}") == pytest.approx(120.0 * metres)
+    assert length(f"120{sign}100{unit}") == pytest.approx(120.0 * metres)
 
 
 @pytest.mark.parametrize(
@@ -104,6 +105,8 @@ def test_numbers_in_two_units(text: str, metres: float) -> None:
         ("12 or 15", 15.0),
         ("12; tall", 12.0),
         ("12+3", 15.0),
+        ("120 ± 5", 125.0),
+        ("120+/-5 m", 125.0),
         ("100、120", 120.0),
     ],
 )

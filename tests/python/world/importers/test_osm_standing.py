@@ -54,6 +54,8 @@ OTHERS: list[Tags] = [
     {"ruins": "yes"},
     {"landmark": "statue"},
     {"sport": "climbing"},
+    {"leisure": "bungee_jumping"},
+    {"disused:man_made": "chimney"},
 ]
 NOT_STANDING: list[Tags] = [
     {"barrier": "height_restrictor"},
@@ -78,6 +80,8 @@ NOT_STANDING: list[Tags] = [
     {"tourism": "viewpoint"},
     {"man_made": "cutline"},
     {"amenity": "fountain"},
+    {"demolished:man_made": "chimney"},
+    {"proposed:building": "yes"},
     {"amenity": "parking_entrance"},
 ]
 

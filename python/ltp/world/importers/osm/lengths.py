@@ -11,11 +11,13 @@ TALLEST = 1000.0  # a height above this is a slip of the keyboard [m]
 _FOOT, _INCH, _YARD, _MILE = 0.3048, 0.0254, 0.9144, 1609.344  # international, exact [m]
 
 _METRE_WORDS = (
-    "m mt mts mtr mtrs meter meters metre metres metro metros mètre mètres metri м метр метра "
-    "метров метри μ μέτρα μετρα 米 公尺 メートル 미터 מטר מ متر م मीटर เมตร mét"
+    "m mt mts mtr mtrs meter meters metern metre metres metro metros mètre mètres metri metry "
+    "metru metrů metrów metrar metriä méter mét м метр метра метров метри метрів μ μέτρα μετρα "
+    "米 公尺 メートル 미터 מטר מ متر م मीटर मी মিটার เมตร ม მეტრი მ մետր մ"
 )
 _FOOT_WORDS = (
-    "' ft fts feet foot fuß fuss pied pieds pie pies pés фут фута футов 呎 英尺 フィート 피트 قدم"
+    "' ft fts feet feets foot fuß fuss pied pieds pie pies pés фут фута футов 呎 英尺 フィート "
+    "フット 피트 قدم फुट फीट ฟุต רגל"
 )
 _INCH_WORDS = '" in ins inch inches zoll pouce pouces дюйм 吋 英寸 インチ'
 _UNITS: dict[str, float] = {
@@ -61,6 +63,9 @@ _RANGE = re.compile(
 )
 _MIXED = re.compile(r"(\d{1,4}) (\d)/([2-9])(?!\d)")  # 5 1/2
 _HYPHENS = re.compile(r"(?<=\d)-(?=[^\W\d])|(?<=')\s*-\s*(?=\d+(?:\.\d+)?\s*\")")  # 12-ft, 5'-10"
+_UNIT = re.compile(r"\d[.,]?\s*([^\d\s.,+]+)[.,]?\s*$")
+_BARE = re.compile(r"[\d.,\s]+")
+_TOLERANCE = re.compile(r"(?<=[^\s])\s*(?:\+/-|±)\s*(?=\d)")  # 120 ± 5: at most 125
 _LONGEST = 100  # of a text that is still read
 
 
@@ -94,7 +99,7 @@ def _pieces(text: str | None) -> list[str]:
     plain = unicodedata.normalize("NFKC", text.translate(_SIGNS)).translate(_SIGNS).lower()
     plain = "".join(_digit(character) for character in plain).replace("''", '"')
     plain = _MIXED.sub(lambda m: f"{int(m[1]) + int(m[2]) / int(m[3]):.3f}", plain)
-    plain = _HYPHENS.sub(" ", plain)
+    plain = _TOLERANCE.sub("+", _HYPHENS.sub(" ", plain)).replace("מ'", "מ")
     return [piece.strip() for piece in re.split(r"[;/()\[\]]|\bor\b|\boder\b", plain)]
 
 
@@ -108,14 +113,12 @@ def _one_length(piece: str) -> float | None:
     if not text:
         return None
     ends = [part for part in _RANGE.split(text) if part]
-    found = [_sum(part) for part in ends]
-    if len(ends) == 2 and found[0] is not None and found[1] is not None:
-        found[0] = None if found[0] > found[1] else found[0]  # "10-12 ft": the unit of the second
-    sound = [v for v in found if v is not None]
-    if len(sound) < 1 or found[-1] is None:
-        return None
-    value = max(sound)
-    return value if 0.0 < value <= TALLEST else None
+    unit = _UNIT.search(ends[-1]) if ends else None
+    if unit is not None:  # of the last number, and of those before it that have none: 10-12 ft
+        ends = [f"{end} {unit[1]}" if _BARE.fullmatch(end) else end for end in ends]
+    found = [value for end in ends if (value := _sum(end)) is not None]
+    value = max(found, default=0.0)
+    return value if len(found) == len(ends) and 0.0 < value <= TALLEST else None
 
 
 def _negative(piece: str) -> bool:

@@ -161,12 +161,13 @@ class _Drawing:
                 return
             self.shapes.note("some nodes are not in the file", key)
             wanted = False
-        open_building = wanted and not closed and stands_over(tags) and len(points) > 2
-        if open_building:
-            self.shapes.note("a building's outline is not closed: closed", key)
+        unsafe = stands_over(tags) or area_cover(tags) == LandClass.WATER
+        mended = wanted and not closed and unsafe and line_cover(tags) is None and len(points) > 2
+        if mended:
+            self.shapes.note("an outline that is not closed: closed", key)
         elif wanted and not closed and area_cover(tags) is not None and line_cover(tags) is None:
-            self.shapes.note("an area's outline is not closed: left out", key)
-        if wanted and (closed or open_building):
+            self.shapes.note("an outline that is not closed: left out", key)
+        if wanted and (closed or mended):
             area = sound_area(shapely.Polygon(points))
             if area.is_empty:
                 self.shapes.note("an area without extent", key)

@@ -89,6 +89,7 @@ _NEVER = (
     "cutting",
     "maxheight",
 )
+_GONE = ("proposed:", "planned:", "demolished:", "removed:", "razed:", "destroyed:", "was:")
 _ONLY = {
     "highway": frozenset({"street_lamp", "elevator", "speed_camera", "toll_gantry"}),
     "natural": frozenset({"rock", "stone", "monolith", "arch"}),
@@ -96,12 +97,6 @@ _ONLY = {
     "railway": _words(
         "station halt platform signal signal_box water_tower water_crane gantry tower "
         "ventilation_shaft catenary_mast loading_ramp loading_rack"
-    ),
-    "leisure": _words(
-        "bandstand bleachers stadium grandstand sports_hall sports_centre outdoor_seating "
-        "water_park ice_rink hackerspace bird_hide wildlife_hide fitness_station climbing "
-        "adult_gaming_centre amusement_arcade dance slide summer_camp picnic_table "
-        "bowling_alley"
     ),
     "aerialway": frozenset({"pylon", "station"}),
 }
@@ -116,6 +111,10 @@ _EXCEPT = {
     "man_made": _words(
         "cutline clearcut adit mineshaft embankment manhole tunnel survey_point "
         "reservoir_covered water_well petroleum_well borehole spoil_heap"
+    ),
+    "leisure": _words(
+        "park garden pitch golf_course track playground nature_reserve common dog_park fishing "
+        "swimming_pool swimming_area marina slipway beach_resort horse_riding"
     ),
     "tourism": frozenset({"viewpoint", "camp_site", "caravan_site", "picnic_site"}),
     "amenity": frozenset(
@@ -180,6 +179,8 @@ def _wind_turbine(tags: Tags) -> bool:
 
 def _may_stand(tags: Tags) -> bool:
     if any(tags.get(key, "no") != "no" for key in _NEVER):
+        return False
+    if any(key.startswith(_GONE) for key in tags):
         return False
     if any(key in tags and tags[key] not in values for key, values in _ONLY.items()):
         return False
