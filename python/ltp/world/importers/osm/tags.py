@@ -70,7 +70,7 @@ def _passage(tags: Tags) -> bool:
 
 def _basement(tags: Tags) -> bool:
     """Whether it lies on floors below the ground, as `level` counts them."""
-    if stands_over(tags) or _wet(tags):  # a sunken fountain is no landing ground, wherever it is
+    if stands_over(tags) or _wet(tags) or "railway" in tags:  # no landing ground, wherever it is
         return False
     floors = re.findall(r"-?\d+", tags.get("level", ""))
     return bool(floors) and all(floor.startswith("-") for floor in floors)
