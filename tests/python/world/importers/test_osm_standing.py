@@ -173,6 +173,16 @@ def test_a_tree_is_a_tree(tmp_path: Path) -> None:
     assert tall({"natural": "tree_row", "height": "18"}) is None
 
 
+def test_a_bench_below_a_tree_is_below_a_tree(tmp_path: Path) -> None:
+    extract = town()
+    extract.node(40.5, 40.5, {"natural": "tree", "height": "18"})
+    extract.node(41.5, 40.5, {"amenity": "bench", "height": "0.8"})
+    extract.node(60.5, 40.5, {"amenity": "bench", "height": "0.8"})
+    world = read(extract.write_xml(tmp_path / "a.osm"))
+    assert at(world, 41, 40) == (18.0, LandClass.TREES)
+    assert at(world, 60, 40) == (0.8, LandClass.BUILDING)
+
+
 def test_a_wall_round_a_yard_is_no_block(tmp_path: Path) -> None:
     extract = town()
     extract.way(box(10, 10, 50, 50), {"barrier": "wall", "height": "3"})

@@ -138,7 +138,7 @@ def test_manhattan_is_covered_by_what_lies_there(manhattan: World) -> None:
         LandClass.PITCH: (0.011, 0.001),
         LandClass.PARKING: (0.016, 0.001),
         LandClass.TREES: (0.008, 0.002),
-        LandClass.RAIL: (0.02, 0.002),
+        LandClass.RAIL: (0.03, 0.002),  # with the West Side Yard, which has layer=-1
         LandClass.CONSTRUCTION: (0.013, 0.001),
         # Lines have as much area as one gives them width.
         LandClass.ROAD: (0.15, 0.03),

@@ -77,13 +77,18 @@ class Canvas:
         solids: Sequence[tuple[Any, float]],
         kind: LandClass,
         *,
-        every_touched_cell: bool = False,
+        thin: bool = False,
     ) -> None:
-        """Put up solids of a height each; where they overlap, the highest is seen."""
+        """Put up solids of a height each; where they overlap, the highest is seen.
+
+        What is `thin` fills every cell that it touches, and gives its kind only to those where
+        nothing stands higher.
+        """
         ordered = sorted(solids, key=lambda solid: solid[1])
-        height = self.burn(ordered, 0.0, all_touched=every_touched_cell)
+        height = self.burn(ordered, 0.0, all_touched=thin)
+        seen = (height > 0.0) & (height >= self.surface) if thin else height > 0.0
         np.maximum(self.surface, height, out=self.surface)
-        self.classes[height > 0.0] = kind
+        self.classes[seen] = kind
 
     def burn(
         self, areas: Sequence[tuple[Any, float]], fill: float, *, all_touched: bool = False

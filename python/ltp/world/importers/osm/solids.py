@@ -38,7 +38,7 @@ def raise_solids(canvas: Canvas, shapes: Shapes, default_height: float) -> Solid
     nodes = _building_nodes(shapes, default_height)
     standing = _standing(canvas, shapes)
     thin = [(block.area, block.height) for block in (*nodes, *standing)]
-    canvas.raise_to(thin, LandClass.BUILDING, every_touched_cell=True)
+    canvas.raise_to(thin, LandClass.BUILDING, thin=True)
     return Solids(
         *(
             [b for b in kind if b.area.intersects(canvas.box)]
