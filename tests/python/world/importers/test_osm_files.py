@@ -294,3 +294,18 @@ def test_a_blob_that_inflates_without_end_is_refused(tmp_path: Path) -> None:
     path.write_bytes(sound + len(header).to_bytes(4, "big") + header + blob)
     with pytest.raises(ValueError, match=r"a\.osm\.pbf .* inflates to more than"):
         read(path)
+
+
+def test_an_ocean_that_leaves_the_projection_harms_nothing_else(tmp_path: Path) -> None:
+    extract = town()
+    ring = extract.way(box(10, 60, 20, 70))
+    extract.multipolygon([(ring, "outer")], {"natural": "bay"})
+    path = extract.write_xml(tmp_path / "a.osm")
+    text = path.read_text()
+    first = min(extract.ways[-1][1])
+    start = text.index(f'<node id="{first}"')
+    line = text[start : text.index("</node>", start)]
+    path.write_text(text.replace(line, f'<node id="{first}" version="1" lat="0.0" lon="99.0">'))
+    world = read(path)
+    assert at(world, 15, 15)[0] == 30.0
+    assert any("cannot be projected" in line for line in world.report)

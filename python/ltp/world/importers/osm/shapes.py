@@ -65,8 +65,8 @@ def read_shapes(path: Path, crs: Any, near: Box, box: Any) -> tuple[Source, Shap
             nodes of something in the box that must not be missed: a building, a lake, a wood.
     """
     source = read_source(path, near)
-    drawing = _Drawing(source, crs, box)
-    if source.extent is None or not (source.near or source.nodes or drawing.meets(near)):
+    drawing = _Drawing(source, crs, near, box)
+    if source.extent is None or not (source.near or source.nodes or drawing.made):
         where = (
             "no way with its nodes"
             if source.extent is None
@@ -98,25 +98,24 @@ def _short(box: Box) -> str:
 class _Drawing:
     """Shapes while they are made of the objects of a file."""
 
-    def __init__(self, source: Source, crs: Any, box: Any) -> None:
+    def __init__(self, source: Source, crs: Any, near: Box, box: Any) -> None:
         self.source = source
         self.box = box
         self.meaning: Meaning = understand(source)
+        self.made = [area for area in self.meaning.areas if self._near(area, near)]
         self.shapes = Shapes()
         self.lacking: list[str] = []  # things in the box that must not be missed, but lack nodes
         pyproj = require("pyproj", _PURPOSE)
         self.transformer = pyproj.Transformer.from_crs("EPSG:4326", crs, always_xy=True)
 
-    def meets(self, near: Box) -> bool:
-        """Whether some area that relations make comes near the box, all its ways together."""
-        for area in self.meaning.areas:
-            places = [self.source.ways[ref].places for ref in area.ways]
-            if places:
-                both = np.concatenate(places) / 1e7
-                low, high = both.min(axis=0), both.max(axis=0)
-                if (high >= near[:2]).all() and (low <= near[2:]).all():
-                    return True
-        return False
+    def _near(self, area: Area, near: Box) -> bool:
+        """Whether an area that a relation makes comes near the box, all its ways together."""
+        if not area.ways or not _matters(area.tags):
+            return False
+        places = np.concatenate([self.source.ways[ref].places for ref in area.ways]) / 1e7
+        return bool(
+            (places.max(axis=0) >= near[:2]).all() and (places.min(axis=0) <= near[2:]).all()
+        )
 
     def draw(self) -> None:
         shapely = require("shapely", _PURPOSE)
@@ -182,11 +181,14 @@ class _Drawing:
 
     def _areas(self) -> tuple[list[Shape], set[int]]:
         """The areas that relations make, and the ways that are none beside them."""
-        wanted = [area for area in self.meaning.areas if area.ways and _matters(area.tags)]
-        lines = [
-            [piece for ref in area.ways for piece in _pieces(self.source.ways[ref])]
-            for area in wanted
-        ]
+        wanted, lines = [], []
+        for area in self.made:
+            pieces = [piece for ref in area.ways for piece in _pieces(self.source.ways[ref])]
+            if all(np.isfinite(points).all() for points in self._project(pieces)):
+                wanted.append(area)
+                lines.append(pieces)
+            else:
+                self.shapes.note("cannot be projected", area.key)
         whole = [
             not area.missing and not any(self.source.ways[ref].lacks_nodes for ref in area.ways)
             for area in wanted
