@@ -11,6 +11,7 @@ import pytest
 
 from ltp.world import LandClass, World
 from tests.python.world.importers.osm_extract import (
+    Corners,
     Extract,
     Tags,
     at,
@@ -163,12 +164,36 @@ def test_a_lawn_without_a_corner_is_no_lawn(tmp_path: Path, corner: int) -> None
     assert any("some nodes are not in the file, such as w1" in line for line in world.report)
 
 
-def test_a_road_without_a_node_goes_straight_on(tmp_path: Path) -> None:
+def test_a_road_without_a_node_has_a_gap(tmp_path: Path) -> None:
     extract = Extract()
-    extract.way([(-20, 50), (30, 50), (60, 50), (120, 50)], {"highway": "residential"})
-    world = read(extract.write_xml(tmp_path / "a.osm", without=(2,)))
-    assert (world.classes[:, 46:54] == LandClass.ROAD).all()
+    corners: Corners = [(-20, 50), (20, 50), (40, 90), (60, 50), (120, 50)]
+    extract.way(corners, {"highway": "residential"})
+    world = read(extract.write_xml(tmp_path / "a.osm", without=(3,)))
+    assert [at(world, x, 50)[1] for x in (10, 40, 90)] == [
+        LandClass.ROAD,
+        LandClass.UNKNOWN,
+        LandClass.ROAD,
+    ]
     assert any("some nodes are not in the file, such as w1" in line for line in world.report)
+
+
+@pytest.mark.parametrize("tags", [{"waterway": "stream"}, {"barrier": "wall", "height": "3"}])
+def test_a_stream_and_a_wall_go_on_where_a_node_is_missing(tmp_path: Path, tags: Tags) -> None:
+    extract = Extract()
+    extract.way([(-20, 50.5), (20, 50.5), (40, 50.5), (60, 50.5), (120, 50.5)], tags)
+    world = read(extract.write_xml(tmp_path / "a.osm", without=(3,)))
+    assert (world.classes[:, 50] != LandClass.UNKNOWN).all()
+
+
+def test_a_coast_that_lacks_its_bays_floods_no_land(tmp_path: Path) -> None:
+    # From (20, -30) the coast runs round outside of the box, without its nodes, to (120, 50).
+    extract = Extract()
+    coast: Corners = [(20, 130), (20, -30), (20, -200), (300, -200), (300, 50), (120, 50)]
+    extract.way(coast[::-1], {"natural": "coastline"})
+    extract.way(box(60, 60, 80, 80), {"leisure": "park"})
+    whole = read(extract.write_xml(tmp_path / "a.osm"))
+    cut = read(extract.write_xml(tmp_path / "b.osm", without=(2, 3, 4)))
+    assert same(whole, cut)
 
 
 def test_a_house_outside_of_the_bounds_may_lack_what_it_likes(tmp_path: Path) -> None:

@@ -173,8 +173,9 @@ class _Drawing:
             else:
                 self.shapes.areas.append(Shape(key, tags, area))
         coast = tags.get("natural") == "coastline"  # an island that is a park
-        if len(points) > 1 and (coast or not (closed and is_area(tags))):
-            self.shapes.lines.append(Shape(key, tags, shapely.LineString(points)))
+        if coast or not (closed and is_area(tags)):
+            for piece in _stretches(way, tags, points):
+                self.shapes.lines.append(Shape(key, tags, shapely.LineString(piece)))
 
     def _needed(self, tags: dict[str, str]) -> bool:
         return stands_over(tags) or tall(tags) is not None or area_cover(tags) in _NEEDED
@@ -240,6 +241,16 @@ def _matters(tags: dict[str, str]) -> bool:
         return True
     covers = area_cover(tags) is not None or line_cover(tags) is not None
     return covers or tall(tags) is not None
+
+
+def _stretches(
+    way: Way, tags: dict[str, str], points: NDArray[np.float64]
+) -> list[NDArray[np.float64]]:
+    """A line between the nodes that the file lacks; a stream or a wall goes straight on there."""
+    cover = line_cover(tags)
+    goes_on = tall(tags) is not None or (cover is not None and cover[0] == LandClass.WATER)
+    pieces = [points] if goes_on else np.split(points, way.breaks)
+    return [piece for piece in pieces if len(piece) > 1]
 
 
 def _pieces(way: Way) -> list[Places]:
