@@ -129,6 +129,16 @@ def test_a_pond_on_an_island_in_a_lake_is_wet(world_of) -> None:  # type: ignore
     assert wet == [LandClass.WATER, LandClass.GRASS, LandClass.WATER]
 
 
+def test_a_sloppy_outline_of_an_island_dries_no_sea(world_of) -> None:  # type: ignore[no-untyped-def]
+    extract = Extract()
+    extract.way([(-20, 30), (120, 30)], {"natural": "coastline"})
+    extract.way(box(0, 0, 100, 100), {"place": "island"})
+    extract.way(box(10, 10, 60, 60), {"leisure": "park"})
+    world = world_of(extract)
+    assert (world.classes[:, :30] == LandClass.WATER).all()
+    assert at(world, 40, 40)[1] == LandClass.GRASS
+
+
 @pytest.mark.parametrize("road", ["residential", "footway", "cycleway", "primary"])
 def test_only_bridges_lead_over_open_water(world_of, road: str) -> None:  # type: ignore[no-untyped-def]
     extract = Extract()

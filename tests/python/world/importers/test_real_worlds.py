@@ -153,3 +153,10 @@ def test_manhattan_is_covered_by_what_lies_there(manhattan: World) -> None:
 def test_manhattan_has_its_rail_yard_in_the_north_west(manhattan: World) -> None:
     yard = manhattan.classes[20:180, 860:980]
     assert (yard == LandClass.RAIL).mean() > 0.4
+
+
+def test_manhattans_report_says_how_many_heights_are_guesses(manhattan: World) -> None:
+    heights = [line for line in manhattan.report if line.startswith("Heights of buildings:")]
+    assert len(heights) == 1
+    assert "641 of 687 buildings tell theirs" in heights[0]
+    assert "17 are guessed (usual for the kind, else 10 m): 1.7 % of the built area" in heights[0]

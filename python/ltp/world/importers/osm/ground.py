@@ -43,12 +43,13 @@ def paint_ground(canvas: Canvas, shapes: Shapes) -> None:
     canvas.paint([(shape.geometry, kind) for shape, kind in land if kind is not None])
 
     coast = [s.geometry for s in shapes.lines if s.tags.get("natural") == "coastline"]
-    flood = [(area, True) for area in sea(coast, canvas.box)]
+    flood = sea(coast, canvas.box)
     if coast and not flood and any(line.intersects(canvas.box) for line in coast):
         shapes.note("a coast line that ends within the bounds: no sea read", "the coast")
     wet = [s for s, kind in kinds if kind == LandClass.WATER]
-    canvas.classes[_water(canvas, flood, wet, shapes.areas)] = LandClass.WATER
-    open_water = _water(canvas, flood, [s for s in wet if not marsh(s.tags)], shapes.areas)
+    at_sea = _sea(canvas, flood, coast, shapes.areas)
+    canvas.classes[at_sea | _lakes(canvas, wet, shapes.areas)] = LandClass.WATER
+    open_water = at_sea | _lakes(canvas, [s for s in wet if not marsh(s.tags)], shapes.areas)
 
     lines = _strips(shapes.lines)
     for wanted in _LINE_ORDER:
@@ -59,15 +60,23 @@ def paint_ground(canvas: Canvas, shapes: Shapes) -> None:
         canvas.paint(bridges, where=open_water)
 
 
-def _water(
-    canvas: Canvas, flood: list[tuple[Any, bool]], wet: list[Shape], areas: list[Shape]
+def _sea(
+    canvas: Canvas, flood: list[Any], coast: list[Any], areas: list[Shape]
 ) -> NDArray[np.bool_]:
-    """The cells of water: of lakes and islands the smallest decides, and decks are dry."""
+    """The cells of the sea: decks are dry, and islands that have no coast line to decide it."""
+    shapely = require("shapely", "reading OpenStreetMap files")
+    shore = shapely.union_all(coast)
+    dry = [s for s in areas if deck(s.tags) or (island(s.tags) and s.geometry.disjoint(shore))]
+    return canvas.mask([*((area, True) for area in flood), *((s.geometry, False) for s in dry)])
+
+
+def _lakes(canvas: Canvas, wet: list[Shape], areas: list[Shape]) -> NDArray[np.bool_]:
+    """The cells of other water: of lakes and islands the smallest decides, and decks are dry."""
     nested = [(s, True) for s in wet]
     nested += [(s, False) for s in areas if island(s.tags)]
     nested.sort(key=lambda item: _by_size(item[0]))
     decks = [(s.geometry, False) for s in areas if deck(s.tags)]
-    return canvas.mask([*flood, *((s.geometry, flag) for s, flag in nested), *decks])
+    return canvas.mask([*((s.geometry, flag) for s, flag in nested), *decks])
 
 
 def _by_size(shape: Shape) -> tuple[float, str]:

@@ -164,7 +164,7 @@ class _Drawing:
         mended = wanted and not closed and unsafe and line_cover(tags) is None and len(points) > 2
         if mended:
             self.shapes.note("an outline that is not closed: closed", key)
-        elif wanted and not closed and area_cover(tags) is not None and line_cover(tags) is None:
+        elif wanted and not closed and (unsafe or area_cover(tags)) and not line_cover(tags):
             self.shapes.note("an outline that is not closed: left out", key)
         if wanted and (closed or mended):
             area = sound_area(shapely.Polygon(points))
