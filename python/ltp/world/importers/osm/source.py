@@ -113,7 +113,7 @@ class _Reading:
         self.high = np.ceil(np.array(near[2:]) * _UNIT).astype(np.int64)
         self.source = Source()
         self.struck = _struck_out(path) if path.suffix == ".osm" else set()
-        self.removed: dict[str, set[int]] = {"n": set(), "w": set(), "r": set()}
+        self.removed: dict[str, set[int]] = {"w": set(), "r": set()}
 
     def relations(self) -> None:
         """Multipolygons and buildings, wherever they lie."""
@@ -131,10 +131,10 @@ class _Reading:
         tagged: dict[int, dict[str, str]] = {}
         gone: list[int] = []
         for index, item in enumerate(self._read(self.osmium.osm.NODE)):
-            place = item.location
-            numbers.append(item.id)
+            place, number = item.location, item.id
+            numbers.append(number)
             versions.append(item.version)
-            deleted = self._gone("n", item)
+            deleted = item.deleted or (self.struck and ("n", number) in self.struck)
             if deleted:
                 gone.append(index)
             known = not deleted and place.valid()
