@@ -56,6 +56,11 @@ def import_geotiff(
     cell: Annotated[
         float | None, typer.Option(help="Cell size [m]; by default the rasters'.")
     ] = None,
+    align: Annotated[
+        bool,
+        typer.Option("--align", help="Resample rasters of other grids or CRSs onto that of --dsm."),
+    ] = False,
+    convert_heights: ConvertHeights = False,
     name: Name = "",
     attribution: Attribution = "",
     vertical: Vertical = "as in the rasters",
@@ -63,7 +68,7 @@ def import_geotiff(
     """Import GeoTIFF rasters that share one metric grid."""
     from ltp.world.importers import geotiff
 
-    with naming("cell", "classes"):
+    with naming("cell", "classes", "align", "convert_heights"):
         world = geotiff.read(
             dsm=dsm,
             dem=dem,
@@ -71,6 +76,8 @@ def import_geotiff(
             classes=classes,
             class_table=_class_table(meaning or []) if classes is not None else None,
             cell=cell,
+            align=align,
+            convert_heights=convert_heights,
             name=name,
             attribution=attribution,
             vertical=vertical,

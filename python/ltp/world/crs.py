@@ -115,6 +115,21 @@ def metric_crs(crs: Any, source: str, bounds: Box | None = None) -> Any:
     return flat
 
 
+def metric_plan(crs: Any, source: str, bounds: Box | None = None) -> Any | None:
+    """What `metric_crs` returns; None for a site grid in metres (an engineering CRS).
+
+    Raises:
+        ImportError: if pyproj is not installed.
+        ValueError: as `metric_crs` does.
+    """
+    flat = horizontal(any_crs(crs, source))
+    if flat.is_engineering and all(
+        Unit(axis.unit_name, axis.unit_conversion_factor).is_metre for axis in flat.axis_info
+    ):
+        return None
+    return metric_crs(crs, source, bounds)
+
+
 def _flaw(flat: Any, name: str) -> str | None:
     """Why a projected or geographic CRS is no metric map: what it must be, "not" what it is."""
     if flat.is_geographic:

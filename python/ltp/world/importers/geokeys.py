@@ -100,8 +100,15 @@ class GeoKeys:
             return False
         if values.get(_MODEL_TYPE, 1 if _PROJECTED in values else 0) != 1:
             return False
+        if b"PE String" in self.text:  # ESRI writes the projection as text
+            return False
         told = values.get(_PROJECTION, _USER_DEFINED) not in (0, _USER_DEFINED)
         return not told and not any(key in values for key in _PARAMETERS)
+
+    @property
+    def projected(self) -> int | None:
+        """The code of the projected CRS, 32767 if it is user-defined; None without one."""
+        return int(self.values.get(_PROJECTED, 0)) or None
 
     def crs(self) -> Any:
         """Their CRS as a pyproj CRS; None if there is none, or it is `is_nameless`.
@@ -110,8 +117,8 @@ class GeoKeys:
             ImportError: if rasterio is not installed and the projection is user-defined.
             ValueError: if nobody knows it.
         """
-        code = int(self.values.get(_PROJECTED, 0))
-        if code not in (0, _USER_DEFINED):
+        code = self.projected
+        if code not in (None, _USER_DEFINED):
             return any_crs(f"EPSG:{code}", f"GeoKey {_PROJECTED} (ProjectedCSType)")
         if self.is_nameless or not self.values.keys() & {_GEODETIC, _PROJECTED}:
             return None

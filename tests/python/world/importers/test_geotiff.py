@@ -199,7 +199,7 @@ def test_another_size_is_named(write: Write) -> None:
     ("change", "message"),
     [
         ({"crs": "EPSG:4326"}, "in degrees"),
-        ({"crs": "EPSG:2263"}, "must be in metres"),
+        ({"crs": "EPSG:2263"}, "in metres, not .* foot"),
         ({"transform": rasterio.Affine(2, 0.5, 0, 0, -2, 0)}, "columns that go east"),
         ({"transform": rasterio.Affine(-2, 0, 0, 0, -2, 0)}, "columns that go east"),
         ({"transform": rasterio.Affine(2, 0, 0, 0, -3, 0)}, "square cells"),

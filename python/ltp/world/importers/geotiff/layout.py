@@ -10,6 +10,8 @@ from typing import IO
 
 import numpy as np
 
+from ..geokeys import GeoKeys
+
 # TIFF 6.0 section 2 and BigTIFF: bytes per value of each field type.
 _TYPE_BYTES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8} | {
     13: 4,
@@ -18,6 +20,8 @@ _TYPE_BYTES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 
     18: 8,
 }
 _UNSIGNED = {1: "u1", 3: "u2", 4: "u4", 13: "u4", 16: "u8", 18: "u8"}
+_KEY_TAGS = {34735: (3, "u2"), 34736: (12, "f8"), 34737: (2, "u1")}  # GeoKeys and their values
+_MAX_KEY_BYTES = 1 << 20
 _BLOCK_TAGS = {273: "strips", 279: "strips", 324: "tiles", 325: "tiles"}  # offsets, byte counts
 _MAX_TAGS = 4096
 
@@ -29,13 +33,7 @@ def check_complete(path: Path) -> None:
         ValueError: naming the file, if it is not a TIFF file or has been cut.
     """
     size = path.stat().st_size
-    with path.open("rb") as file:
-        try:
-            blocks = _read_directory(file, size)
-        except (struct.error, EOFError) as error:
-            raise ValueError(f"{path} ends early: {error}") from error
-        except ValueError as error:
-            raise ValueError(f"{path}: {error}") from error
+    blocks = _tags(path)
     for offset_tag, count_tag in ((273, 279), (324, 325)):
         if offset_tag not in blocks:
             continue
@@ -51,8 +49,39 @@ def check_complete(path: Path) -> None:
             )
 
 
+def read_geokeys(path: Path) -> GeoKeys | None:
+    """The GeoKeys of the first image in `path`; None if it has none.
+
+    Raises:
+        ValueError: naming the file, if it is damaged.
+    """
+    tags = _tags(path)
+    if 34735 not in tags:
+        return None
+    try:
+        parts = {
+            tag: tags[tag].astype("<" + kind).tobytes()
+            for tag, (_, kind) in _KEY_TAGS.items()
+            if tag in tags
+        }
+        return GeoKeys.parse(parts[34735], parts.get(34736, b""), parts.get(34737, b""))
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from error
+
+
+def _tags(path: Path) -> dict[int, np.ndarray]:
+    """The tags of the first image that are read here, or a ValueError that names the file."""
+    with path.open("rb") as file:
+        try:
+            return _read_directory(file, path.stat().st_size)
+        except (struct.error, EOFError) as error:
+            raise ValueError(f"{path} ends early: {error}") from error
+        except ValueError as error:
+            raise ValueError(f"{path}: {error}") from error
+
+
 def _read_directory(file: IO[bytes], size: int) -> dict[int, np.ndarray]:
-    """The numbers of the tags that say where the pixels are."""
+    """The numbers of the tags that say where the pixels are, and in which CRS."""
     head = file.read(16)
     order = {b"II": "<", b"MM": ">"}.get(head[:2])
     version = struct.unpack_from(order + "H", head, 2)[0] if order else None
@@ -77,11 +106,14 @@ def _read_directory(file: IO[bytes], size: int) -> dict[int, np.ndarray]:
             (offset,) = struct.unpack_from(order + ("Q" if big else "I"), entries, value)
             if offset + n_bytes > size:
                 raise EOFError(f"tag {tag} lies beyond its {size} bytes")
-            data = _read_at(file, offset, n_bytes, size) if tag in _BLOCK_TAGS else b""
+            wanted = tag in _BLOCK_TAGS or (tag in _KEY_TAGS and n_bytes <= _MAX_KEY_BYTES)
+            data = _read_at(file, offset, n_bytes, size) if wanted else b""
         if tag in _BLOCK_TAGS:
             if kind not in _UNSIGNED:
                 raise ValueError(f"tag {tag} has field type {kind}, expected an unsigned integer")
             found[tag] = np.frombuffer(data, dtype=order + _UNSIGNED[kind])
+        elif tag in _KEY_TAGS and kind == _KEY_TAGS[tag][0]:
+            found[tag] = np.frombuffer(data, dtype=order + _KEY_TAGS[tag][1])
     return found
 
 

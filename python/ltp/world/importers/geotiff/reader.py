@@ -13,7 +13,9 @@ from ltp.world.world import Datum, World
 
 from ..limits import OBJECT_HEIGHT
 from . import holes
+from .align import alignment, onto, onto_codes
 from .coarsen import coarsen
+from .frame import check_heights_agree, heights_report
 from .raster import PathLike, TiffRaster, read_raster
 
 _MOST_CODES = 8  # named in a sentence
@@ -29,6 +31,8 @@ def read(
     classes: PathLike | None = None,
     class_table: ClassTable | None = None,
     cell: float | None = None,
+    align: bool = False,
+    convert_heights: bool = False,
     name: str = "",
     attribution: str = "",
     vertical: str = "as in the rasters",
@@ -42,6 +46,10 @@ def read(
         classes: land-class codes; `class_table` gives each code in it a meaning.
         class_table: code -> LandClass, its name in any case, or its number.
         cell: cell size of the world [m], a multiple of that of the rasters; default: theirs.
+        align: bring rasters that lie on another grid, in another CRS even, onto that of `dsm`:
+            heights by bilinear interpolation (finer canopies by the highest), classes by nearest.
+        convert_heights: scale heights that a file says are in feet, or another unit, to metres;
+            else it is refused.
         name: name of the world; default: the file name of `dsm`.
         attribution: the line that must stand beside every picture.
         vertical: name of the height datum.
@@ -59,24 +67,42 @@ def read(
         OSError: if a file cannot be opened.
     """
     table = _check_table(class_table, classes)
-    surface_model = read_raster(dsm)
-    terrain = read_raster(dem, like=surface_model)
-    ground = holes.terrain(terrain)
+    surface_model = read_raster(dsm, convert_heights=convert_heights)
+    grid, report = surface_model.grid, [surface_model.frame.report, *surface_model.report]
+    frames = {surface_model.path: surface_model.frame}
+
+    def read_beside(path: PathLike, heights: bool = True) -> TiffRaster:
+        raster = read_raster(
+            path,
+            like=surface_model,
+            heights=heights,
+            align=align,
+            convert_heights=convert_heights,
+        )
+        if heights:
+            frames[raster.path] = raster.frame
+            check_heights_agree(frames)
+        report.extend([*raster.report, *alignment(raster, surface_model)])
+        return raster
+
+    raster = read_beside(dem)
+    ground = onto(surface_model, raster, holes.terrain(raster))
     top = holes.surface(surface_model, ground)
-    report = [*surface_model.report, *terrain.report, *top.report, *ground.report]
+    report += [*top.report, *ground.report]
     crowns = np.zeros_like(ground.heights)
     no_canopy = np.zeros(crowns.shape, dtype=bool)
     if canopy is not None:
-        raster = read_raster(canopy, like=surface_model)
-        layer = holes.canopy(raster)
+        raster = read_beside(canopy)
+        layer = onto(surface_model, raster, holes.canopy(raster), peaks=True)
         crowns, no_canopy = layer.heights, layer.unknown
-        report += [*raster.report, *layer.report]
+        report += layer.report
 
     surface = np.maximum(np.maximum(top.heights, ground.heights + crowns), ground.heights)
     if classes is not None:
-        codes = read_raster(classes, like=surface_model)
+        codes = read_beside(classes, heights=False)
         kinds, told = _translate(codes, table)
-        report += [*codes.report, *told]
+        kinds = onto_codes(surface_model, codes, kinds)
+        report += told
     else:
         built = top.heights - ground.heights > OBJECT_HEIGHT
         kinds = np.where(built, LandClass.BUILDING, LandClass.UNKNOWN).astype(np.uint8)
@@ -96,7 +122,6 @@ def read(
             "UNKNOWN, with heights interpolated from around, and nobody lands there"
         )
 
-    grid = surface_model.grid
     factor = _factor(cell, grid.cell)
     ground_heights = ground.heights
     if factor > 1:
@@ -111,7 +136,7 @@ def read(
         cell=grid.cell * factor,
         datum=Datum(grid.crs, grid.xmin, grid.ymin, vertical),
         attribution=attribution,
-        report=tuple(report),
+        report=(*report, *heights_report(frames)),
     )
 
 

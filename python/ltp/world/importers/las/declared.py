@@ -63,7 +63,8 @@ def declared_crs(path: Path) -> Declared:
         unit = height_unit(crs)
         if unit is not None:
             heights.append(Says(f"the vertical CRS in {where}", unit))
-    if not said and keys is not None and keys.is_nameless and plan is None:
+    nameless = keys is not None and keys.is_nameless and keys.projected is not None
+    if not said and nameless and plan is None:
         raise ValueError(
             f"{path} has a user-defined projection, and tells neither it nor its unit; give crs"
         )

@@ -12,7 +12,7 @@ from ltp.world.crs import (
     crs_name,
     crs_report,
     height_unit,
-    metric_crs,
+    metric_plan,
     refuse_degrees,
     same_grid,
 )
@@ -51,7 +51,7 @@ def survey_frame(
     told = _told(path, crs)
     flat = None
     if told.crs is not None:
-        flat = metric_crs(told.crs, "crs" if crs else f"the CRS of {path}", box)
+        flat = metric_plan(told.crs, "crs" if crs else f"the CRS of {path}", box)
     if told.plan is not None and not told.plan.unit.is_metre:
         raise ValueError(
             f"{path} must have x and y in metres, not in {told.plan.unit}, as "
