@@ -42,7 +42,7 @@ def read(
     Args:
         path: the file; its ways must come with their nodes, its multipolygons with their ways.
         bounds: x_min, y_min, x_max, y_max in `crs`, a whole number of cells apart [m].
-        crs: a projected CRS in metres, e.g. "EPSG:32618".
+        crs: a projected CRS in metres that are true within the bounds, e.g. "EPSG:32618".
         cell: cell size of the world [m].
         default_height: height of a building without any tag that tells it [m].
         name: name of the world; default: the file name.
@@ -64,9 +64,10 @@ def read(
     path = Path(path)
     if not (math.isfinite(default_height) and default_height > 0.0):
         raise ValueError(f"default_height must be above zero, not {default_height!r}")
-    canvas = Canvas.over(bounds, cell)
     projection = metric_crs(crs, "crs")
-    refuse_degrees(bounds, "bounds", crs=projection)
+    if len(bounds) == 4:  # else Canvas.over says so
+        refuse_degrees(bounds, "bounds", crs=projection)
+    canvas = Canvas.over(bounds, cell)
     scale = check_scale(projection, bounds, "crs")
     source, shapes = read_shapes(path, projection, _geographic(projection, bounds), canvas.box)
     try:
