@@ -75,6 +75,19 @@ def corner(origin: Any) -> tuple[float, float]:
     return finite("origin[0]", x), finite("origin[1]", y)
 
 
+def triples(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """Return `values` as float64 of shape (N, 3) or (3,); demand finite numbers."""
+    try:
+        array = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{name} must be numbers of shape (N, 3): {error}") from error
+    if array.ndim not in (1, 2) or array.shape[-1] != 3:
+        raise ValueError(f"{name} must have shape (N, 3), found {array.shape}")
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name} must be finite, not {array[~np.isfinite(array)][0]}")
+    return array
+
+
 def heights(
     name: str, values: ArrayLike, shape: tuple[int, ...] | None = None
 ) -> NDArray[np.float64]:

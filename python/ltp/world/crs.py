@@ -222,12 +222,12 @@ def crs_report(crs: Any | None, deviation: float | None, where: str) -> str:
     Args:
         crs: the horizontal CRS, a pyproj CRS; None if nobody names one.
         deviation: from `check_scale`.
-        where: what names it.
+        where: "by" or "as" what, e.g. "by its WKT".
     """
     if crs is None:
         return "CRS: none is named; x and y are taken for metres, east and north"
     scale = "" if deviation is None else f"; a metre of it is one on the ground to {deviation:.2%}"
-    return f"CRS: {crs_name(crs)[:60]} ({crs.name}), in metres, {where}{scale}"
+    return f"CRS: {crs_name(crs)[:60]} ({crs.name}) {where}, in metres{scale}"
 
 
 def _cure(crs: Any, bounds: Box | None) -> str:

@@ -8,13 +8,25 @@ from dataclasses import asdict, dataclass, fields
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ltp.files import blamed_on
 
 from .archive import SOUND, read_fields, write_fields
-from .checks import corner, finite, heights, land_classes, not_negative, positive, sentences, text
+from .checks import (
+    corner,
+    finite,
+    heights,
+    land_classes,
+    not_negative,
+    positive,
+    sentences,
+    text,
+    triples,
+)
 from .classes import LandClass
+from .crs import metric_crs
+from .geodesy import from_lon_lat, lon_lat
 from .shapes import Extent, Shape, checked, extent_of, raise_shapes
 
 if TYPE_CHECKING:
@@ -134,6 +146,57 @@ class World:
         from ltp._core import Raster
 
         return Raster(values, origin=self.origin, cell=self.cell)
+
+    def to_map(self, points: ArrayLike) -> NDArray[np.float64]:
+        """Where on the Earth local points lie.
+
+        Args:
+            points: (N, 3) x, y, z [m], or one of shape (3,).
+
+        Returns:
+            Latitude, longitude [degrees, WGS 84] and altitude [m] of each, in the same shape. The
+            altitude is z, above the vertical datum (`datum.vertical`), not above the ellipsoid.
+            Latitudes are as good as PROJ's transformation from the CRS to WGS 84 is without
+            downloaded grids: exact for WGS 84 zones, to some metres for old national datums.
+            `to_local` brings them back to a millimetre.
+
+        Raises:
+            ImportError: if pyproj is not installed.
+            ValueError: naming `points`, or if the world has no CRS.
+        """
+        points, crs = triples("points", points), self._crs()
+        x, y, z = points[..., 0], points[..., 1], points[..., 2]
+        lon, lat = lon_lat(crs, x + self.datum.easting, y + self.datum.northing)
+        return np.stack([lat, lon, z], axis=-1)
+
+    def to_local(self, places: ArrayLike) -> NDArray[np.float64]:
+        """Local points of places on the Earth: the inverse of `to_map`.
+
+        Args:
+            places: (N, 3) latitude, longitude [degrees, WGS 84] and altitude [m] above the vertical
+                datum, or one of shape (3,).
+
+        Returns:
+            x, y, z [m] of each, in the same shape; also where that is outside of the world.
+
+        Raises:
+            ImportError: if pyproj is not installed.
+            ValueError: naming `places`, or if the world has no CRS.
+        """
+        places, crs = triples("places", places), self._crs()
+        lat, lon, z = places[..., 0], places[..., 1], places[..., 2]
+        if (np.abs(lat) > 90.0).any():
+            worst = float(lat.flat[np.abs(lat).argmax()])
+            raise ValueError(f"places must have latitudes in -90...90, not {worst:g}")
+        x, y = from_lon_lat(crs, lon, lat)
+        return np.stack([x - self.datum.easting, y - self.datum.northing, z], axis=-1)
+
+    def _crs(self) -> Any:
+        if self.datum.crs is None:
+            raise ValueError(
+                f"{self.name} has no CRS (datum.crs is None): nobody knows where on the Earth it is"
+            )
+        return metric_crs(self.datum.crs, "datum.crs")
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the world to one compressed .npz, all or nothing; same world, same bytes.

@@ -68,7 +68,7 @@ def raster_frame(
             )
         refuse_degrees(box, str(path), abs(dataset.transform.a))
         if flat is not None:
-            report = crs_report(flat, check_scale(flat, box, str(path)), f"of {path.name}")
+            report = crs_report(flat, check_scale(flat, box, str(path)), f"by {path.name}")
     says = _heights_say(path, dataset, keys, known) if heights else []
     scale = height_scale(path, says, convert_heights)
     return Frame(flat, None if known is None else height_datum(known), scale, report)

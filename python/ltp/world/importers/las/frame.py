@@ -63,7 +63,10 @@ def survey_frame(
         _refuse_outside(path, box, bounds, flat)
     deviation = None if flat is None else check_scale(flat, bounds or box, str(path))
     heights = height_scale(path, told.heights, convert_heights)
-    report = (crs_report(flat, deviation, told.where), heights.report)
+    report = (
+        crs_report(flat, deviation, told.where if crs else f"by {told.where}"),
+        heights.report,
+    )
     return Frame(None if flat is None else crs_name(flat), heights, report)
 
 
