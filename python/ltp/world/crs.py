@@ -64,7 +64,11 @@ def any_crs(crs: Any, source: str) -> Any:
         known.to_json_dict()  # fails where a parameter is no finite number
         return known
     except (pyproj.exceptions.CRSError, ValueError) as error:
-        raise ValueError(f"{source} must be a known CRS, e.g. EPSG:32618: {error}") from error
+        named = str(crs) if len(str(crs)) < 60 else f"{str(crs)[:60]} ..."
+        reason = str(error).rpartition("Internal Proj Error: ")[2].rstrip(")") or "unknown"
+        raise ValueError(
+            f"{source} must be a known CRS, e.g. EPSG:32618, not {named!r} ({reason[:200]})"
+        ) from error
 
 
 def horizontal(crs: Any) -> Any:
@@ -91,6 +95,16 @@ def height_datum(crs: Any) -> str | None:
     vertical = crs.sub_crs_list[1]
     vertical = vertical.source_crs if vertical.is_bound else vertical
     return str(vertical.datum.name if vertical.datum is not None else vertical.name)
+
+
+def refuse_depths(crs: Any, source: str) -> None:
+    """Refuse a pyproj CRS whose third axis goes down.
+
+    Raises:
+        ValueError: naming `source`.
+    """
+    if height_unit(crs) is not None and crs.axis_info[2].direction.lower() == "down":
+        raise ValueError(f"{source} must hold heights, not depths ({crs.name})")
 
 
 def metric_crs(crs: Any, source: str, bounds: Box | None = None) -> Any:

@@ -11,8 +11,8 @@ from typing import Any
 
 from ltp.world.crs import any_crs, height_unit
 
-from .heights import Says, unit_of_code
 from .optional import require
+from .units import Says, unit_of_code
 
 _MODEL_TYPE, _GEODETIC, _PROJECTED = 1024, 2048, 3072
 _PROJECTION, _LINEAR_UNITS, _LINEAR_UNIT_SIZE = 3074, 3076, 3077

@@ -14,12 +14,12 @@ from ltp.world.crs import (
     height_datum,
     height_unit,
     horizontal,
-    metric_plan,
     refuse_degrees,
+    refuse_depths,
 )
 
 from ..geokeys import GeoKeys
-from ..heights import HeightScale, Says, height_scale, unit_named
+from ..units import HeightScale, Says, height_scale, metric_frame, unit_named
 
 
 class Frame(NamedTuple):
@@ -59,16 +59,13 @@ def raster_frame(
     if metric:
         west, south, east, north = dataset.bounds
         box: Box = (west, min(south, north), east, max(south, north))
-        flat = None if known is None else metric_plan(known, f"the CRS of {path}", box)
         unit = None if keys is None else keys.linear_unit()
-        if unit is not None and not unit.unit.is_metre:
-            raise ValueError(
-                f"{path} must have x and y in metres, not in {unit.unit}, as {unit.where} says; "
-                "reproject it first"
-            )
+        flat = metric_frame(path, known, unit, box)
         refuse_degrees(box, str(path), abs(dataset.transform.a))
         if flat is not None:
             report = crs_report(flat, check_scale(flat, box, str(path)), f"by {path.name}")
+    if heights and known is not None:
+        refuse_depths(known, str(path))
     says = _heights_say(path, dataset, keys, known) if heights else []
     scale = height_scale(path, says, convert_heights)
     return Frame(flat, None if known is None else height_datum(known), scale, report)

@@ -11,7 +11,7 @@ from typing import IO, Any
 from ltp.world.crs import any_crs, height_unit, horizontal, same_grid
 
 from ..geokeys import GeoKeys
-from ..heights import Says
+from ..units import Says
 from .records import Record, walk
 
 _USERS = (b"LASF_Projection", b"liblas")

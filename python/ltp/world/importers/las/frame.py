@@ -12,12 +12,12 @@ from ltp.world.crs import (
     crs_name,
     crs_report,
     height_unit,
-    metric_plan,
     refuse_degrees,
+    refuse_depths,
     same_grid,
 )
 
-from ..heights import HeightScale, Says, height_scale
+from ..units import HeightScale, Says, height_scale, metric_frame
 from .declared import Declared, declared_crs
 
 _FINE_STEP = 1e-6  # coordinates in such steps are degrees: 0.1 m of them, or a micrometre
@@ -49,14 +49,9 @@ def survey_frame(
     )
     step = float(max(header.scales[:2]))
     told = _told(path, crs)
-    flat = None
+    flat = metric_frame(path, told.crs, told.plan, box, "crs" if crs else None)
     if told.crs is not None:
-        flat = metric_plan(told.crs, "crs" if crs else f"the CRS of {path}", box)
-    if told.plan is not None and not told.plan.unit.is_metre:
-        raise ValueError(
-            f"{path} must have x and y in metres, not in {told.plan.unit}, as "
-            f"{told.plan.where} says; reproject it first"
-        )
+        refuse_depths(told.crs, str(path))
     refuse_degrees(box, str(path), _FINE_STEP if step <= _FINE_STEP else None)
     if bounds is not None:
         refuse_degrees(bounds, "bounds", crs=flat)

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""In which unit the heights of a file are: by all that the file says, and no guess."""
+"""In which units a file counts, in height and in plan: by all that it says, and no guess."""
 
 from collections.abc import Sequence
 from functools import cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from ltp.world.crs import METRE, Unit
+from ltp.world.crs import METRE, Box, Unit, metric_plan
 
 from .optional import require
 
@@ -81,6 +81,35 @@ def height_scale(source: object, says: Sequence[Says], convert: bool) -> HeightS
         True,
         f"heights were scaled from {first.unit} to metres ({first.where})",
     )
+
+
+def metric_frame(
+    path: object, crs: Any | None, plan: Says | None, box: Box, name: str | None = None
+) -> Any | None:
+    """The metric CRS of a file.
+
+    Args:
+        path: the file.
+        crs: its CRS, a pyproj CRS; None if it names none.
+        plan: what a key says of the unit of x and y besides.
+        box: where it lies.
+        name: what to call the CRS; default: that of the file.
+
+    Returns:
+        The horizontal part of `crs`; None if there is none, or it is a site grid in metres.
+
+    Raises:
+        ValueError: naming the file, if x and y are not in metres.
+    """
+    in_feet = plan is not None and not plan.unit.is_metre
+    key = f" ({plan.where})" if in_feet and plan is not None else ""
+    flat = None if crs is None else metric_plan(crs, name or f"the CRS of {path}{key}", box)
+    if in_feet and plan is not None:
+        raise ValueError(
+            f"{path} must have x and y in metres, not in {plan.unit}, as {plan.where} says; "
+            "reproject it first"
+        )
+    return flat
 
 
 @cache
