@@ -80,3 +80,28 @@ def test_a_missing_extra_is_told_with_its_command(
     monkeypatch.setitem(sys.modules, "rerun", None)
     said = fail("fly", world, *SHORT, "--recording", "--out", tmp_path)
     assert pip_install("viewer") in said
+
+
+def test_ways_out_of_an_import_are_told_as_options(tmp_path: Path) -> None:
+    rasterio = pytest.importorskip("rasterio")
+
+    def write(name: str, crs: str, west: float) -> Path:
+        here = rasterio.Affine(1.0, 0.0, west, 0.0, -1.0, 4600030.0)
+        options = {"driver": "GTiff", "width": 9, "height": 9, "count": 1, "dtype": "float32"}
+        with rasterio.open(tmp_path / name, "w", crs=crs, transform=here, **options) as file:
+            file.write(np.full((1, 9, 9), 30.0, dtype=np.float32))
+        return tmp_path / name
+
+    feet = write("feet.tif", "EPSG:26918+6360", 5e5)
+    off = write("off.tif", "EPSG:26918+6360", 5e5 + 0.5)
+    command = ["world", "import", "geotiff", "-o", tmp_path / "w.npz", "--dsm", feet]
+    assert "with --convert-heights they are scaled" in fail(*command, "--dem", feet)
+    command += ["--convert-heights", "--dem", off]
+    assert "with --align it is resampled onto that grid" in fail(*command)
+    said = succeed(*command, "--align")
+    assert "off.tif: resampled from 9 x 9 cells of 1 m" in said
+    assert "heights were scaled from US survey foot (0.30480061 m) to metres" in said
+    assert "CRS: EPSG:26918 (NAD83 / UTM zone 18N)" in said
+    world = World.load(tmp_path / "w.npz")
+    assert world.ground.max() == pytest.approx(30.0 * 1200 / 3937, abs=1e-4)
+    assert any("scaled" in line for line in world.report)
