@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from .geodesy import PURPOSE, from_lon_lat, lon_lat, scales, utm_zone
+from .geodesy import PURPOSE, from_lon_lat, lon_lat, north_is_up, scales, utm_zone
 from .importers.optional import require
 
 Box = tuple[float, float, float, float]
@@ -95,16 +95,6 @@ def height_datum(crs: Any) -> str | None:
     vertical = crs.sub_crs_list[1]
     vertical = vertical.source_crs if vertical.is_bound else vertical
     return str(vertical.datum.name if vertical.datum is not None else vertical.name)
-
-
-def refuse_depths(crs: Any, source: str) -> None:
-    """Refuse a pyproj CRS whose third axis goes down.
-
-    Raises:
-        ValueError: naming `source`.
-    """
-    if height_unit(crs) is not None and crs.axis_info[2].direction.lower() == "down":
-        raise ValueError(f"{source} must hold heights, not depths ({crs.name})")
 
 
 def metric_crs(crs: Any, source: str, bounds: Box | None = None) -> Any:
@@ -221,6 +211,12 @@ def check_scale(crs: Any, bounds: Box, source: str) -> float:
         found = scales(crs, x, y).ravel()
     except ValueError as error:
         raise ValueError(f"{source}: {bounds} does not lie in {crs.name}: {error}") from error
+    transverse = "Transverse Mercator" in str(crs.coordinate_operation.method_name)
+    if transverse and not north_is_up(crs, x, y):  # true again beyond the pole
+        raise ValueError(
+            f"{source}: north is down in {crs.name} here, on the far side of the Earth; use "
+            f"{_cure(crs, bounds)}"
+        )
     worst = float(found[np.abs(found - 1.0).argmax()])
     if abs(worst - 1.0) > MAX_SCALE_ERROR:
         raise ValueError(

@@ -72,6 +72,16 @@ def scales(crs: Any, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[
     return np.asarray(1.0 / ground[:, ::-1], dtype=np.float64)
 
 
+def north_is_up(crs: Any, x: NDArray[np.float64], y: NDArray[np.float64]) -> bool:
+    """Whether the latitude grows with y at all points (n,) of a metric CRS.
+
+    Raises:
+        ValueError: if any of the points is nowhere.
+    """
+    (_, south), (_, north) = (lon_lat(crs, x, y + step) for step in (-_PROBE, _PROBE))
+    return bool((north > south).all())
+
+
 @lru_cache(maxsize=64)
 def utm_zone(lon: float, lat: float) -> str:
     """Short code of the metric CRS of that place [degrees]: its UTM zone, or UPS at the poles."""

@@ -20,6 +20,7 @@ from ltp.world.crs import (
     same_grid,
 )
 from ltp.world.geodesy import from_lon_lat, lon_lat, scales, utm_zone
+from ltp.world.whereabouts import elsewhere
 
 pyproj = pytest.importorskip("pyproj")
 
@@ -102,6 +103,27 @@ def test_the_worst_spot_of_the_area_counts() -> None:
     check_scale(zone, (400e3, 0.0, 600e3, 1000.0), "bounds")
     with pytest.raises(ValueError, match="more than 1% off"):
         check_scale(zone, (400e3, 0.0, 1500e3, 1000.0), "bounds")
+
+
+def test_the_far_side_of_the_earth_is_refused_though_its_scale_is_true() -> None:
+    zone = metric_crs("EPSG:32601", "crs")  # 177 degrees from London
+    bounds = around("EPSG:32601", (-0.1, 51.5))
+    with pytest.raises(ValueError, match=r"crs: north is down in .* use EPSG:32630"):
+        check_scale(zone, bounds, "crs")
+
+
+def test_a_file_that_lies_elsewhere_is_told_where() -> None:
+    covered = (583950.0, 4511100.0, 584950.0, 4512100.0)
+    utm, degrees = pyproj.CRS(32618), pyproj.CRS(4326)
+    at = ": it lies at longitude -73.9996, latitude 40.7510, EPSG:32618"
+    assert elsewhere(utm, covered, (0.0, 0.0, 9.0, 9.0)) == at
+    lon, lat = lon_lat(utm, [covered[0], covered[2]], [covered[1], covered[3]])
+    box = (float(lon[0]), float(lat[0]), float(lon[1]), float(lat[1]))
+    said = elsewhere(degrees, box, covered)
+    assert said.endswith("EPSG:32618, in which these bounds lie within it")
+    state_plane = around("EPSG:32118", (-73.9995, 40.751))
+    assert "bounds lie within it" in elsewhere(pyproj.CRS(32118), state_plane, covered)
+    assert elsewhere(utm, (1e12, 1e12, 2e12, 2e12), covered) == ""
 
 
 def test_bounds_off_the_map_are_refused() -> None:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
-from ltp.world.crs import METRE, Box, Unit, metric_plan
+from ltp.world.crs import METRE, Box, Unit, height_unit, metric_plan
 
 from .optional import require
 
@@ -110,6 +110,16 @@ def metric_frame(
             "reproject it first"
         )
     return flat
+
+
+def refuse_depths(crs: Any, source: str) -> None:
+    """Refuse a pyproj CRS whose third axis goes down.
+
+    Raises:
+        ValueError: naming `source`.
+    """
+    if height_unit(crs) is not None and crs.axis_info[2].direction.lower() == "down":
+        raise ValueError(f"{source} must hold heights, not depths ({crs.name})")
 
 
 @cache

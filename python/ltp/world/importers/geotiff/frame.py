@@ -15,11 +15,10 @@ from ltp.world.crs import (
     height_unit,
     horizontal,
     refuse_degrees,
-    refuse_depths,
 )
 
 from ..geokeys import GeoKeys
-from ..units import HeightScale, Says, height_scale, metric_frame, unit_named
+from ..units import HeightScale, Says, height_scale, metric_frame, refuse_depths, unit_named
 
 
 class Frame(NamedTuple):

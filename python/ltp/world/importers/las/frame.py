@@ -13,14 +13,14 @@ from ltp.world.crs import (
     crs_report,
     height_unit,
     refuse_degrees,
-    refuse_depths,
     same_grid,
 )
+from ltp.world.whereabouts import elsewhere, overlap
 
-from ..units import HeightScale, Says, height_scale, metric_frame
+from ..units import HeightScale, Says, height_scale, metric_frame, refuse_depths
 from .declared import Declared, declared_crs
 
-_FINE_STEP = 1e-6  # coordinates in such steps are degrees: 0.1 m of them, or a micrometre
+_FINE_STEP = 1e-5  # coordinates in such steps are degrees: a metre of them, or 10 micrometres
 
 
 class Frame(NamedTuple):
@@ -83,9 +83,11 @@ def _told(path: Path, crs: str | None) -> Declared:
 
 
 def _refuse_outside(path: Path, box: Box, bounds: Box, crs: Any) -> None:
-    if bounds[0] < box[2] and box[0] < bounds[2] and bounds[1] < box[3] and box[1] < bounds[3]:
+    if overlap(bounds, box):
         return
-    name = "its coordinates" if crs is None else crs_name(crs)[:40]
+    name = (
+        "its coordinates" if crs is None else f"{crs_name(crs)[:40]}{elsewhere(crs, box, bounds)}"
+    )
     raise ValueError(
         f"bounds {_text(bounds)} lie outside of {path}, which covers {_text(box)} in {name}"
     )
