@@ -68,6 +68,12 @@ def write(tmp_path: Path) -> Write:
     return write_raster
 
 
+def lawn(write: Write) -> dict[str, Any]:
+    """Land classes: all grass, as open ground without any is UNKNOWN."""
+    codes = write("lawn.tif", np.ones((N, N), dtype=np.uint8))
+    return {"classes": codes, "class_table": {1: "grass"}}
+
+
 def assert_true_to_scale(world: World) -> None:
     assert (world.shape, world.cell) == ((N, N), 1.0)
     assert world.height_above_ground.max() == pytest.approx(30.0, abs=1e-6)
@@ -311,7 +317,7 @@ def test_a_terrain_of_another_grid_is_aligned(write: Write, kind: str) -> None:
 def test_where_the_other_raster_ends_the_world_is_unknown(write: Write) -> None:
     dsm = write("dsm.tif", house())
     dem = write("dem.tif", np.full((N, N), 10.0), west=500006.0)
-    world = geotiff.read(dsm=dsm, dem=dem, align=True)
+    world = geotiff.read(dsm=dsm, dem=dem, align=True, **lawn(write))
     assert (world.classes[:6] == LandClass.UNKNOWN).all()
     assert (world.classes[7:] != LandClass.UNKNOWN).all()
     np.testing.assert_allclose(world.ground, 10.0)
@@ -323,7 +329,8 @@ def test_holes_do_not_bleed_into_what_is_aligned(write: Write) -> None:
     heights[20:24, 20:24] = -9999.0
     for options in ({}, {"nodata": -9999.0}):
         dem = write("dem.tif", heights, west=499995.5, north=4600035.5, **options)
-        world = geotiff.read(dsm=write("dsm.tif", ground()), dem=dem, align=True)
+        dsm = write("dsm.tif", ground())
+        world = geotiff.read(dsm=dsm, dem=dem, align=True, **lawn(write))
         np.testing.assert_allclose(world.ground, 10.0)
         hole = world.classes == LandClass.UNKNOWN
         assert 16 <= np.count_nonzero(hole) <= 36
