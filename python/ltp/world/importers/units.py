@@ -133,6 +133,7 @@ def _units() -> tuple[dict[int, Unit], dict[str, Unit]]:
             by_code[int(found.code)] = unit
         for spelling in (name, found.proj_short_name or name):
             by_name.setdefault(_plain(spelling), unit)
+    by_name["dm"] = by_name["decimeter"] = Unit("decimetre", 0.1)  # PROJ's table says 0.01
     return by_code, by_name
 
 

@@ -3,6 +3,7 @@
 """What rasters say of their CRS and units, and rasters of several grids: read, refused, aligned."""
 
 import re
+import struct
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -378,3 +379,41 @@ def test_aligning_does_not_hide_feet(write: Write) -> None:
         geotiff.read(dsm=dsm, dem=dem, align=True)
     world = geotiff.read(dsm=dsm, dem=dem, align=True, convert_heights=True)
     assert_true_to_scale(world)
+
+
+def patched(path: Path, old: tuple[int, int], new: tuple[int, int]) -> Path:
+    """The same file with another GeoKey and value in place of one."""
+    data = path.read_bytes()
+    entries = [struct.pack("<4H", key, 0, 1, value) for key, value in (old, new)]
+    assert data.count(entries[0]) == 1
+    path.write_bytes(data.replace(*entries))
+    return path
+
+
+@pytest.mark.parametrize(("code", "unit"), [(9002, FOOT), (9003, US_FOOT), (9096, 0.9144)])
+def test_keys_in_feet_beside_metric_codes_are_named(write: Write, code: int, unit: float) -> None:
+    def vertical(name: str, image: Any) -> Path:
+        return patched(write(name, image, "EPSG:26918+5703"), (4096, 5703), (4099, code))
+
+    dsm, dem = vertical("dsm.tif", house(unit)), vertical("dem.tif", ground(unit))
+    with pytest.raises(ValueError, match=r"dsm\.tif must hold heights in metres, not in "):
+        geotiff.read(dsm=dsm, dem=dem)
+    assert_true_to_scale(geotiff.read(dsm=dsm, dem=dem, convert_heights=True))
+    plan = patched(write("plan.tif", house()), (3076, 9001), (3076, code))
+    with pytest.raises(ValueError, match=r"plan\.tif .*GeoKey 3076 .* in metres"):
+        geotiff.read(dsm=plan, dem=plan)
+
+
+def test_keys_that_are_no_unit_are_refused(write: Write) -> None:
+    plan = patched(write("plan.tif", house()), (3076, 9001), (3076, 9102))
+    with pytest.raises(ValueError, match=r"plan\.tif: GeoKey 3076 .* is no known unit"):
+        geotiff.read(dsm=plan, dem=plan)
+    dsm = patched(write("dsm.tif", house(), "EPSG:26918+5703"), (4096, 5703), (4099, 9102))
+    with pytest.raises(ValueError, match=r"dsm\.tif must hold heights in metres, not in 'degree'"):
+        geotiff.read(dsm=dsm, dem=dsm)
+
+
+def test_a_code_that_nobody_knows_is_refused(write: Write) -> None:
+    path = patched(write("dsm.tif", house()), (3072, 26918), (3072, 1))
+    with pytest.raises(ValueError, match=r"dsm\.tif has a CRS that nobody knows: GeoKey 3072 = 1"):
+        geotiff.read(dsm=path, dem=path)
