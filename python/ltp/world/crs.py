@@ -6,6 +6,7 @@ A CRS is a pyproj CRS, or any text that names one; bounds are x_min, y_min, x_ma
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -46,9 +47,6 @@ class Unit:
 
     def __str__(self) -> str:
         return f"{self.name} ({self.metres:.8g} m)"
-
-
-METRE = Unit("metre", 1.0)
 
 
 def any_crs(crs: Any, source: str) -> Any:
@@ -148,6 +146,7 @@ def _flaw(flat: Any, name: str) -> str | None:
     return None
 
 
+@lru_cache(maxsize=64)
 def crs_name(crs: Any) -> str:
     """Short name of a pyproj CRS: the EPSG code of its horizontal part, or else its WKT.
 

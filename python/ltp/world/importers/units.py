@@ -6,9 +6,11 @@ from collections.abc import Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
-from ltp.world.crs import METRE, Box, Unit, height_unit, metric_plan
+from ltp.world.crs import Box, Unit, height_unit, metric_plan
 
 from .optional import require
+
+METRE = Unit("metre", 1.0)
 
 _USER_DEFINED = 32767
 # Spellings that the tables of EPSG and PROJ do not hold.

@@ -309,6 +309,12 @@ def test_a_wkt_that_nobody_understands_is_refused_unless_the_crs_is_given(survey
 
 
 def test_a_given_crs_does_not_hide_feet(survey: Survey) -> None:
+    wkt = pyproj.CRS("EPSG:2263").to_wkt("WKT1_GDAL")
+    with pytest.raises(ValueError, match=r"x and y in metres, not in US survey foot .* its WKT"):
+        las.read(survey([wkt_record(wkt)]), cell=1.0, crs="EPSG:32618")
+    broken = survey([wkt_record("hm"), *geokeys([(1024, 1), (4099, 9003)])], height=US_FOOT)
+    with pytest.raises(ValueError, match=r"not in US survey foot .* GeoKey 4099"):
+        las.read(broken, cell=1.0, crs="EPSG:32618")
     plan = survey(geokeys(FEET_IN_PLAN["user-defined, US feet"]))
     with pytest.raises(ValueError, match="3076"):
         las.read(plan, cell=1.0, crs="EPSG:32618")
@@ -317,7 +323,7 @@ def test_a_given_crs_does_not_hide_feet(survey: Survey) -> None:
         las.read(height, cell=1.0, crs="EPSG:32618")
     world = las.read(height, cell=1.0, crs="EPSG:32618", convert_heights=True)
     assert_true_to_scale(world)
-    assert "its GeoKeys say EPSG:26918" in world.report[0]
+    assert "as given, not EPSG:26918 as in its GeoKeys" in world.report[0]
     bare = survey(height=FOOT)
     with pytest.raises(ValueError, match=r"not in foot .* as crs says"):
         las.read(bare, cell=1.0, crs="EPSG:26918+8228")

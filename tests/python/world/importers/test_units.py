@@ -6,9 +6,9 @@ import struct
 
 import pytest
 
-from ltp.world.crs import METRE, Unit
+from ltp.world.crs import Unit
 from ltp.world.importers.geokeys import GeoKeys
-from ltp.world.importers.units import Says, height_scale, unit_named, unit_of_code
+from ltp.world.importers.units import METRE, Says, height_scale, unit_named, unit_of_code
 
 pytest.importorskip("pyproj")
 

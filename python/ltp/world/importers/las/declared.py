@@ -28,8 +28,13 @@ class Declared:
     heights: list[Says]
 
 
-def declared_crs(path: Path) -> Declared:
+def declared_crs(path: Path, given: bool = False) -> Declared:
     """Read the CRS of a survey whose header has been checked.
+
+    Args:
+        path: the file.
+        given: whether the caller names the CRS; then one that nobody knows is passed over, and
+            only the units of the file count.
 
     Raises:
         ValueError: naming the file and the record, if nobody knows the CRS, or it has two.
@@ -39,40 +44,49 @@ def declared_crs(path: Path) -> Declared:
             found = list(_records(file))
             wkts = [_wkt(file, record) for record in found if record.number == _WKT]
             keys = _keys(file, found)
+            plan = None if keys is None else keys.linear_unit()
+            heights = [] if keys is None else keys.vertical_units()
         except (struct.error, EOFError) as error:
             raise ValueError(f"{path} ends early: {error}") from error
         except ValueError as error:
             raise ValueError(f"{path}: {error}") from error
-    said: list[tuple[str, Any]] = []
+    said = []
     try:
-        said += [("its WKT", any_crs(wkt, "its WKT")) for wkt in wkts if wkt]
-        if keys is not None:
-            said.append(("its GeoKeys", keys.crs()))
-        plan = None if keys is None else keys.linear_unit()
-        heights = [] if keys is None else keys.vertical_units()
+        said = _named(wkts, keys, plan)
     except ValueError as error:
-        raise ValueError(f"{path} has a CRS that nobody knows: {error}; give crs") from error
-    said = [(where, crs) for where, crs in said if crs is not None]
-    for where, crs in said[1:]:
-        if not same_grid(crs, said[0][1]):
-            raise ValueError(
-                f"{path} has two CRSs: {horizontal(said[0][1]).name} in {said[0][0]}, "
-                f"{horizontal(crs).name} in {where}; give crs"
-            )
+        if not given:
+            raise ValueError(f"{path} {error}; give crs") from error
     for where, crs in said:
         unit = height_unit(crs)
         if unit is not None:
             heights.append(Says(f"the vertical CRS in {where}", unit))
-    nameless = keys is not None and keys.is_nameless and keys.projected is not None
-    if not said and nameless and plan is None:
-        raise ValueError(
-            f"{path} has a user-defined projection, and tells neither it nor its unit; give crs"
-        )
     if not said:
         return Declared(None, "its GeoKeys", plan, heights)
     # The one with heights says more.
     where, crs = next((one for one in said if height_unit(one[1]) is not None), said[0])
     return Declared(crs, where, plan, heights)
+
+
+def _named(wkts: list[str], keys: GeoKeys | None, plan: Says | None) -> list[tuple[str, Any]]:
+    """The CRSs that the records name, and where; all of one grid."""
+    said: list[tuple[str, Any]] = []
+    try:
+        said += [("its WKT", any_crs(wkt, "its WKT")) for wkt in wkts if wkt]
+        if keys is not None:
+            said.append(("its GeoKeys", keys.crs()))
+    except ValueError as error:
+        raise ValueError(f"has a CRS that nobody knows: {error}") from error
+    said = [(where, crs) for where, crs in said if crs is not None]
+    for where, crs in said[1:]:
+        if not same_grid(crs, said[0][1]):
+            raise ValueError(
+                f"has two CRSs: {horizontal(said[0][1]).name} in {said[0][0]}, "
+                f"{horizontal(crs).name} in {where}"
+            )
+    nameless = keys is not None and keys.is_nameless and keys.projected is not None
+    if not said and nameless and plan is None:
+        raise ValueError("has a user-defined projection, and tells neither it nor its unit")
+    return said
 
 
 def _records(file: IO[bytes]) -> Iterator[Record]:

@@ -7,11 +7,13 @@ from typing import Any, NamedTuple
 
 from ltp.world.crs import (
     Box,
+    Unit,
     any_crs,
     check_scale,
     crs_name,
     crs_report,
     height_unit,
+    horizontal,
     refuse_degrees,
     same_grid,
 )
@@ -70,16 +72,16 @@ def _told(path: Path, crs: str | None) -> Declared:
     if crs is None:
         return declared_crs(path)
     given = any_crs(crs, "crs")
-    unit = height_unit(given)
-    heights = [] if unit is None else [Says("crs", unit)]
-    try:
-        told = declared_crs(path)
-    except ValueError:  # therefore crs was given
-        return Declared(given, "as given", None, heights)
-    where = "as given"
+    told = declared_crs(path, given=True)
+    where, plan = "as given", told.plan
     if told.crs is not None and not same_grid(told.crs, given):
-        where = f"as given; {told.where} say {crs_name(told.crs)[:60]}"
-    return Declared(given, where, told.plan, heights or told.heights)
+        where = f"as given, not {crs_name(told.crs)[:60]} as in {told.where}"
+        axis = horizontal(told.crs).axis_info[0]
+        if plan is None and horizontal(told.crs).is_projected:
+            plan = Says(told.where, Unit(axis.unit_name, axis.unit_conversion_factor))
+    unit = height_unit(given)
+    heights = told.heights if unit is None else [Says("crs", unit), *told.heights]
+    return Declared(given, where, plan, heights)
 
 
 def _refuse_outside(path: Path, box: Box, bounds: Box, crs: Any) -> None:
