@@ -113,7 +113,7 @@ def _read_tiff(
     path: Path, world: World
 ) -> tuple[NDArray[np.float64], int, tuple[float, float], float]:
     """Values, how many are missing, corner and cell."""
-    band = read_raster(path)
+    band = read_raster(path, heights=False)
     if not _alike(band.grid.crs, world.datum.crs):
         raise ValueError(
             f"{path} is in {band.grid.crs or 'no CRS'}, {world.name} in "
