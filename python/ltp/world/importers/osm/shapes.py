@@ -11,6 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ltp.world.classes import LandClass
+from ltp.world.crs import any_crs
+from ltp.world.whereabouts import elsewhere
 
 from ..optional import require
 from .cover import area_cover, deck, is_area, island, line_cover
@@ -71,6 +73,7 @@ def read_shapes(path: Path, crs: Any, near: Box, box: Any) -> tuple[Source, Shap
             "no way with its nodes"
             if source.extent is None
             else f"its ways lie within lon/lat {_short(source.extent)}"
+            f"{elsewhere(any_crs('EPSG:4326', path.name), source.extent, box.bounds)}"
         )
         raise ValueError(f"{path} holds nothing in the bounds (lon/lat {_short(near)}): {where}")
     try:
