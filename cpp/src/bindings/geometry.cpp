@@ -51,15 +51,18 @@ void bind_geometry(py::module_& m) {
       "[m].");
   m.def(
       "closest_point",
-      [](const ltp::PathRef& path, const ltp::Point& point, double from_arc_length) {
+      [](const ltp::PathRef& path, const ltp::Point& point, double from_arc_length,
+         double to_arc_length) {
         require_finite("path", path);
         ltp::check::finite("point", point);
-        const ltp::ClosestPoint found = ltp::closest_point(path, point, from_arc_length);
+        const ltp::ClosestPoint found =
+            ltp::closest_point(path, point, from_arc_length, to_arc_length);
         return py::make_tuple(found.point, found.arc_length, found.distance);
       },
       "path"_a, "point"_a, "from_arc_length"_a = 0.0,
-      "(point (3,), arc length [m], distance [m]) of the closest point of a polyline at or beyond "
-      "an arc length.");
+      "to_arc_length"_a = std::numeric_limits<double>::infinity(),
+      "(point (3,), arc length [m], distance [m]) of the closest point of a polyline between two "
+      "arc lengths.");
   m.def(
       "point_at",
       [](const ltp::PathRef& path, double arc_length) {

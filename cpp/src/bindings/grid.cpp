@@ -191,13 +191,14 @@ void bind_occupancy(py::module_& m) {
           "is free. ValueError for a grid that belongs to a map.")
       .def(
           "first_blocked",
-          [](const ltp::OccupancyGrid& grid, const ltp::PathRef& path, double from_arc_length) {
+          [](const ltp::OccupancyGrid& grid, const ltp::PathRef& path, double from_arc_length,
+             const std::optional<ltp::Cell>& ignored) {
             require_finite("path", path);
-            return grid.first_blocked(path, from_arc_length);
+            return grid.first_blocked(path, from_arc_length, ignored);
           },
-          "path"_a, "from_arc_length"_a = 0.0,
+          "path"_a, "from_arc_length"_a = 0.0, "ignored"_a = py::none(),
           "Arc length [m] at which a path (N, 3) first touches a blocked cell, exactly; None if it "
-          "touches none.")
+          "touches none. The\ncell `ignored` (3,) counts as free.")
       .def("__eq__", &ltp::OccupancyGrid::operator==, "other"_a, py::is_operator());
 }
 

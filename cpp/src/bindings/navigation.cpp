@@ -4,6 +4,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 
 #include "bindings.hpp"
@@ -60,6 +61,7 @@ void bind_concurrent(py::module_& m) {
       .result("scan", &ltp::Decision::scan,
               "number of the last scan that it knows, from 1; 0: none yet")
       .result("status", &ltp::Decision::status, "what to do")
+      .result("reason", &ltp::Decision::reason, "why it holds or escapes")
       .result(
           "path", [](const ltp::Decision& d) { return d.path; }, "(N, 3), the path to follow [m]")
       .result("path_id", &ltp::Decision::path_id, "as long as it stands, so does `path`")
@@ -106,7 +108,8 @@ void bind_concurrent(py::module_& m) {
                              "the newest one")
       .def_property_readonly("blocked_at", &Concurrent::blocked_at,
                              "arc length of the last decision's path at which the newest map "
-                             "blocks it [m]; None if it is free")
+                             "blocks it, an escape: at which something was hit [m]; None if it is "
+                             "free")
       .def_property_readonly("scans", &Concurrent::scans, "sensed so far")
       .def_property_readonly("waypoints", &Concurrent::waypoints, py::return_value_policy::copy)
       .def_property_readonly("map", &Concurrent::map, py::return_value_policy::reference_internal,
@@ -150,11 +153,27 @@ void bind_results(py::module_& m) {
       .def_property_readonly("label",
                              [](ltp::NavigationStatus status) { return ltp::to_string(status); });
 
+  py::enum_<ltp::NavigationReason> reasons(
+      m, "NavigationReason", "Why a UAV holds or escapes, or why a waypoint was dropped.");
+  for (int i = 0; i <= static_cast<int>(ltp::NavigationReason::AllDropped); ++i) {
+    const auto reason = static_cast<ltp::NavigationReason>(i);
+    std::string name(ltp::to_string(reason));
+    for (char& letter : name) letter = static_cast<char>(std::toupper(letter));
+    reasons.value(name.c_str(), reason, std::string(ltp::sentence(reason)).c_str());
+  }
+  reasons.def("__bool__", &no_truth_value<ltp::NavigationReason>)
+      .def_property_readonly("label",
+                             [](ltp::NavigationReason reason) { return ltp::to_string(reason); })
+      .def_property_readonly(
+          "text", [](ltp::NavigationReason reason) { return ltp::sentence(reason); },
+          "a plain sentence without its full stop; empty for NONE");
+
   Fields<ltp::WaypointEvent>(m, "WaypointEvent", "What became of a waypoint.")
       .result("index", &ltp::WaypointEvent::index, "of the waypoint, from 0")
       .result("reached", &ltp::WaypointEvent::reached, "True: reached; False: dropped")
       .result("reason", &ltp::WaypointEvent::reason,
               "why it was dropped: GOAL_BLOCKED or UNREACHABLE")
+      .result("why", &ltp::WaypointEvent::why, "the same as a reason with a text; NONE: reached")
       .result("position", &ltp::WaypointEvent::position, "(3,), of the UAV [m]")
       .result("goal", &ltp::WaypointEvent::goal, "(3,), the waypoint [m]")
       .result("window_origin", &ltp::WaypointEvent::window_origin, "(3,), of the map's window [m]");
@@ -191,6 +210,7 @@ void bind_local(py::module_& m) {
            "Forgets all obstacles, those beyond the window too; the next update plans on it.")
       .def("update", &update, "position"_a, "Decides what to do at a position (3,) [m].")
       .def_property_readonly("status", &Ltp::status)
+      .def_property_readonly("reason", &Ltp::reason, "why it holds or escapes; NONE: it does not")
       .def_property_readonly("path", &Ltp::path, py::return_value_policy::copy,
                              "(N, 3), the path to follow [m]")
       .def_property_readonly("path_id", &Ltp::path_id, "as long as it stands, so does `path`")

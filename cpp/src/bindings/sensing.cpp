@@ -31,7 +31,7 @@ ltp::RayHit cast(const ltp::Surface& surface, const ltp::Point& origin, const lt
 }
 
 /// In pieces, so that Ctrl-C gets through.
-py::array_t<double> clearance(const ltp::HeightSurface& surface, const ltp::PathRef& points,
+py::array_t<double> clearance(const ltp::Surface& surface, const ltp::PathRef& points,
                               double max_distance) {
   constexpr Eigen::Index kPiece = 4096;
   require_finite("points", points);
@@ -107,7 +107,14 @@ void bind_surfaces(py::module_& m) {
            py::arg("directions").noconvert(), "max_range"_a,
            "(N,): ranges [m] of the rays from origins (N, 3) [m] along the unit vectors directions "
            "(N, 3),\nboth float64; inf: no hit nearer than max_range [m]. Neighbours with the same "
-           "origin are cast\ntogether, a thousand or more of them several times faster.");
+           "origin are cast\ntogether, a thousand or more of them several times faster.")
+      .def("first_collision", &ltp::Surface::first_collision, py::arg("path").noconvert(),
+           ReleaseGil(),
+           "Arc length [m] at which a path (N, 3), float64, first touches the solid, exactly along "
+           "its\nsegments; None if it never does. Grazing a top or a wall touches it.")
+      .def("clearance", &clearance, py::arg("points").noconvert(), "max_distance"_a,
+           "(N,): distance [m] from points (N, 3), float64, to the solid, 0 inside it, at most\n"
+           "max_distance.");
 
   py::class_<ltp::HeightSurface, ltp::Surface>(
       m, "HeightSurface",
@@ -116,13 +123,6 @@ void bind_surfaces(py::module_& m) {
       .def(py::init<ltp::Raster>(), "heights"_a, ReleaseGil(), "heights: above the datum [m].")
       .def_property_readonly("heights", &ltp::HeightSurface::heights,
                              py::return_value_policy::reference_internal)
-      .def("first_collision", &ltp::HeightSurface::first_collision, py::arg("path").noconvert(),
-           ReleaseGil(),
-           "Arc length [m] at which a path (N, 3), float64, first touches the solid, exactly along "
-           "its\nsegments; None if it never does. Grazing a top or a wall touches it.")
-      .def("clearance", &clearance, py::arg("points").noconvert(), "max_distance"_a,
-           "(N,): distance [m] from points (N, 3), float64, to the solid, 0 inside it, at most\n"
-           "max_distance.")
       .def("occupancy", &ltp::HeightSurface::occupancy, "frame"_a, ReleaseGil(),
            "OccupancyGrid of the cells that hold any of the solid: what a perfect and complete "
            "sensor\nwould map.");

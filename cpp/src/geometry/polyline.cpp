@@ -61,20 +61,25 @@ Path resample(const PathRef& path, double spacing) {
   return out;
 }
 
-ClosestPoint closest_point(const PathRef& path, const Point& point, double from_arc_length) {
+ClosestPoint closest_point(const PathRef& path, const Point& point, double from_arc_length,
+                           double to_arc_length) {
   require_points(path);
   require_number("from_arc_length", from_arc_length);
+  require_number("to_arc_length", to_arc_length);
   const Eigen::Index last = path.rows() - 1;
+  const double end = std::max(from_arc_length, to_arc_length);
   ClosestPoint best{row(path, last), length(path), 0.0};
+  if (end < best.arc_length) best = {point_at(path, end), std::max(end, 0.0), 0.0};
   best.distance = (best.point - point).norm();
   double arc = 0.0;
-  for (Eigen::Index i = 1; i <= last; ++i) {
+  for (Eigen::Index i = 1; i <= last && arc <= end; ++i) {
     const Point a = row(path, i - 1);
     const Point step = row(path, i) - a;
     const double size = step.norm();
     if (arc + size >= from_arc_length && size > 0.0) {
       const double t_min = std::clamp((from_arc_length - arc) / size, 0.0, 1.0);
-      const double t = std::clamp((point - a).dot(step) / (size * size), t_min, 1.0);
+      const double t_max = std::clamp((end - arc) / size, t_min, 1.0);
+      const double t = std::clamp((point - a).dot(step) / (size * size), t_min, t_max);
       const Point candidate = a + t * step;
       const double distance = (candidate - point).norm();
       // Of equally close points the first, so that a loop's common end is its beginning.

@@ -108,7 +108,8 @@ void OccupancyGrid::roll(const Cell& shift) {
   }
 }
 
-std::optional<double> OccupancyGrid::first_blocked(const PathRef& path, double from) const {
+std::optional<double> OccupancyGrid::first_blocked(const PathRef& path, double from,
+                                                   const std::optional<Cell>& ignored) const {
   if (!path.allFinite()) check::fail("path", "not finite", "finite numbers only");
   if (std::isnan(from)) check::fail("from", from, "a number");
   // On the anchor's lattice, so that the walk's cells and `cell_of` never disagree.
@@ -116,7 +117,8 @@ std::optional<double> OccupancyGrid::first_blocked(const PathRef& path, double f
   const Point high =
       (low + Point(frame_.nx(), frame_.ny(), frame_.nz())).cwiseMin(Point::Constant(kFarthestCell));
   if (path.rows() == 1) {
-    if (from <= 0.0 && blocked_at(path.row(0).transpose())) return 0.0;
+    const Point only = path.row(0).transpose();
+    if (from <= 0.0 && blocked_at(only) && frame_.cell_of(only) != ignored) return 0.0;
     return std::nullopt;
   }
   double arc = 0.0;
@@ -133,7 +135,7 @@ std::optional<double> OccupancyGrid::first_blocked(const PathRef& path, double f
       if (!part.empty) {
         walk_segment<3>(part.a, part.b, [&](const Cell& number, double t_in, double) {
           const Cell cell = number - frame_.first();
-          if (!frame_.contains(cell) || !blocked(cell)) return true;
+          if (!frame_.contains(cell) || !blocked(cell) || cell == ignored) return true;
           touched = arc + size * (t_min + part.whole(t_in) * (1.0 - t_min));
           return false;
         });

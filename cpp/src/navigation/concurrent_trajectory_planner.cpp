@@ -117,10 +117,18 @@ const Decision& ConcurrentTrajectoryPlanner::decision() {
 
 std::optional<double> ConcurrentTrajectoryPlanner::blocked_at() {
   const Decision& now = *given_;
-  if (now.path.rows() == 0 || now.status == NavigationStatus::Escaping) return std::nullopt;
+  if (now.path.rows() == 0) return std::nullopt;
   if (std::exchange(flown_path_, now.path_id) != now.path_id) progress_ = 0.0;
   progress_ = closest_point(now.path, position_, progress_).arc_length;
-  return map_.blocked().first_blocked(now.path, progress_);
+  if (now.status != NavigationStatus::Escaping) {
+    return map_.blocked().first_blocked(now.path, progress_);
+  }
+  const OccupancyGrid& occupied = map_.occupied();
+  const Cell own = occupied.frame().cell_of(position_);
+  if (const auto hit = occupied.first_blocked(now.path, progress_, own)) return hit;
+  const Point end = now.path.row(now.path.rows() - 1).transpose();
+  if (map_.blocked().blocked_at(end)) return length(now.path);
+  return std::nullopt;
 }
 
 bool ConcurrentTrajectoryPlanner::plan() {
@@ -153,6 +161,7 @@ void ConcurrentTrajectoryPlanner::publish(const Snapshot& seen) {
   Decision& out = decisions_.back();
   out.scan = seen.scan;
   out.status = navigator_.status();
+  out.reason = navigator_.reason();
   if (std::exchange(out.path_id, navigator_.path_id()) != navigator_.path_id()) {
     out.path = navigator_.path();
   }

@@ -37,6 +37,11 @@ void NavigationOptions::check() const {
   Budget{max_expansions, time_limit}.check();
 }
 
+bool hit_on_escape(const OccupancyGrid& occupied, const PathRef& path, double from,
+                   const Point& position) {
+  return occupied.first_blocked(path, from, occupied.frame().cell_of(position)).has_value();
+}
+
 std::string_view to_string(NavigationStatus status) {
   switch (status) {
     case NavigationStatus::Finished:
@@ -79,8 +84,9 @@ void Navigator::set_waypoints(const PathRef& waypoints) {
   events_.clear();
   events_.reserve(waypoints.rows());
   give_up_path();
-  status_ = finished() ? NavigationStatus::Finished : NavigationStatus::Holding;
   planned_on_ = kNoVersion;
+  if (finished()) return finish();
+  hold(NavigationReason::Undecided);
 }
 
 void Navigator::set_priority(Raster priority) {
@@ -93,15 +99,21 @@ NavigationStatus Navigator::update(const MapView& map, const Point& position,
                                    const std::function<bool()>& interrupted) {
   check::finite("position", position);
   take_reached(map, position);
-  if (finished()) return status_ = NavigationStatus::Finished;
-  if (must_replan(map, position)) replan(map, position, interrupted);
+  if (finished()) {
+    finish();
+  } else if (must_replan(map, position)) {
+    replan(map, position, interrupted);
+  }
   return status_;
 }
 
-/// Notes the end of a waypoint and turns to the next one.
-void Navigator::retire(const MapView& map, bool reached, PlanStatus reason, const Point& position) {
-  events_.push_back(
-      {next_, reached, reason, position, waypoint(next_), map.blocked.frame().origin()});
+/// Notes the end of a waypoint, reached unless there is a reason, and turns to the next one.
+void Navigator::retire(const MapView& map, NavigationReason why, const Point& position) {
+  const PlanStatus status = why == NavigationReason::GoalBlocked   ? PlanStatus::GoalBlocked
+                            : why == NavigationReason::Unreachable ? PlanStatus::Unreachable
+                                                                   : PlanStatus::Found;
+  events_.push_back({next_, why == NavigationReason::None, status, why, position, waypoint(next_),
+                     map.blocked.frame().origin()});
   leg_begin_ = waypoint(next_);
   ++next_;
   plans_for_waypoint_ = 0;
@@ -115,7 +127,8 @@ void Navigator::take_reached(const MapView& map, const Point& position) {
     const bool reached =
         offset.head<2>().norm() <= options_.reach_distance && std::abs(offset.z()) <= height;
     if (!reached) return;
-    retire(map, true, PlanStatus::Found, position);
+    retire(map, NavigationReason::None, position);
+    planned_on_ = kNoVersion;  // whoever held has somewhere else to go
   }
 }
 
@@ -124,14 +137,19 @@ bool Navigator::must_replan(const MapView& map, const Point& position) {
     // Holding: the same map would give the same answer.
     return status_ != NavigationStatus::Holding || map.version != planned_on_;
   }
-  const ClosestPoint here = closest_point(path_, position, progress_);
+  // No farther than it can have flown: a path that passes by itself is not cut short.
+  const double most = 2.0 * (position - last_position_).norm() + options_.leave_distance;
+  const ClosestPoint here = closest_point(path_, position, progress_, progress_ + most);
   progress_ = here.arc_length;
+  last_position_ = position;
   if (here.distance > options_.leave_distance) return true;
   const bool arrived = (target_ - position).head<2>().norm() <= options_.reach_distance;
   if ((stopover_ || status_ == NavigationStatus::Escaping) && arrived) return true;
-  // An escape leads through blocked cells; all that it must avoid is what was really hit.
-  const bool escaping = status_ == NavigationStatus::Escaping;
-  if (escaping) return false;
+  if (status_ == NavigationStatus::Escaping) {
+    // It leads through blocked cells, out of them; all that it must avoid is what was really hit.
+    return map.blocked.blocked_at(target_) ||
+           hit_on_escape(map.occupied, path_, progress_, position);
+  }
   return map.blocked.first_blocked(path_, progress_).has_value();
 }
 
@@ -142,10 +160,25 @@ void Navigator::give_up_path() {
 
 void Navigator::follow(NavigationStatus status, const Path& path, const Point& target) {
   status_ = status;
+  reason_ = status == NavigationStatus::Escaping ? NavigationReason::StartBlocked
+                                                 : NavigationReason::None;
   path_ = path;
+  last_position_ = path.row(0).transpose();
   target_ = target;
   progress_ = 0.0;
   ++path_id_;
+}
+
+void Navigator::hold(NavigationReason reason) {
+  status_ = NavigationStatus::Holding;
+  reason_ = reason;
+}
+
+void Navigator::finish() {
+  status_ = NavigationStatus::Finished;
+  const bool none = std::none_of(events_.begin(), events_.end(),
+                                 [](const WaypointEvent& event) { return event.reached; });
+  reason_ = none && !events_.empty() ? NavigationReason::AllDropped : NavigationReason::None;
 }
 
 void Navigator::replan(const MapView& map, const Point& position,
@@ -157,12 +190,16 @@ void Navigator::replan(const MapView& map, const Point& position,
   while (!finished()) {
     const Point goal = waypoint(next_);
     if (map.blocked.blocked_at(goal) && !same_cell(frame, goal, position)) {
-      retire(map, false, PlanStatus::GoalBlocked, position);  // proof: the map itself
+      retire(map, NavigationReason::GoalBlocked, position);  // proof: the map itself
       continue;
     }
     if (map.blocked.blocked_at(position)) {
       const std::optional<Point> out = escape_point(map, position);
-      if (!out) break;
+      if (!out) {
+        const Point beneath = position - Point(0.0, 0.0, frame.cell().z());
+        const bool low = map.occupied.blocked_at(position) || map.occupied.blocked_at(beneath);
+        return hold(low ? NavigationReason::StartInGround : NavigationReason::NoEscape);
+      }
       Path path(2, 3);
       path << position.transpose(), out->transpose();
       return follow(NavigationStatus::Escaping, path, *out);
@@ -171,15 +208,16 @@ void Navigator::replan(const MapView& map, const Point& position,
     const Budget budget{options_.max_expansions, options_.time_limit, interrupted};
     Query query{position, goal, options_.band};
     stopover_ = !frame.contains(goal);
+    const LevelRange levels = levels_of(frame, query);
     if (stopover_) {
-      const std::optional<Point> target = target_inside(map, position, levels_of(frame, query));
-      if (!target) break;
+      const std::optional<Point> target = target_inside(map, position, levels);
+      if (!target) return hold(why_no_path(map, position, levels, NavigationReason::NoStopover));
       query.goal = *target;
     }
     const bool overdue = plans_for_waypoint_ > 0 && plans_for_waypoint_ % kPlansBeforeProof == 0;
     ++plans_for_waypoint_;
     if (overdue && !stopover_ && proved_unreachable(map, position, goal)) {
-      retire(map, false, PlanStatus::Unreachable, position);
+      retire(map, NavigationReason::Unreachable, position);
       continue;
     }
     plans_.push_back({next_, (query.goal - query.start).norm(),
@@ -190,10 +228,21 @@ void Navigator::replan(const MapView& map, const Point& position,
       return follow(NavigationStatus::Following, plan.path, query.goal);
     }
     const bool claimed = plan.status == PlanStatus::Unreachable && planner_->complete();
-    if (stopover_ || !claimed || !proved_unreachable(map, position, goal)) break;
-    retire(map, false, PlanStatus::Unreachable, position);
+    if (stopover_ || !claimed || !proved_unreachable(map, position, goal)) {
+      return hold(why_no_path(map, position, levels,
+                              plan.status == PlanStatus::OutOfBudget ? NavigationReason::OutOfBudget
+                                                                     : NavigationReason::NoPath));
+    }
+    retire(map, NavigationReason::Unreachable, position);
   }
-  status_ = finished() ? NavigationStatus::Finished : NavigationStatus::Holding;
+  finish();
+}
+
+/// Why the UAV holds: it is walled in, or else what the planner said.
+NavigationReason Navigator::why_no_path(const MapView& map, const Point& position,
+                                        const LevelRange& levels, NavigationReason otherwise) {
+  flood_->fill(map.blocked, map.blocked.frame().cell_of(position), levels);
+  return flood_->touched_edge() ? otherwise : NavigationReason::WalledIn;
 }
 
 bool Navigator::proved_unreachable(const MapView& map, const Point& position, const Point& goal) {
@@ -225,8 +274,6 @@ std::optional<Point> Navigator::escape_point(const MapView& map, const Point& po
   const GridFrame& frame = blocked.frame();
   const Cell own = frame.cell_of(position);
   const LevelRange levels = levels_of(frame, {position, waypoint(next_), options_.band});
-  OccupancyGrid occupied = map.occupied;
-  if (frame.contains(own)) occupied.set(own, false);  // its own cell counts as free
   const Cell reach = (Point::Constant(options_.escape_distance).cwiseQuotient(frame.cell()))
                          .array()
                          .ceil()
@@ -244,7 +291,7 @@ std::optional<Point> Navigator::escape_point(const MapView& map, const Point& po
         const Point centre = frame.centre(cell);
         if ((centre - position).norm() >= distance) continue;
         way.row(1) = centre.transpose();
-        if (occupied.first_blocked(way)) continue;
+        if (hit_on_escape(map.occupied, way, 0.0, position)) continue;
         distance = (centre - position).norm();
         nearest = centre;
       }

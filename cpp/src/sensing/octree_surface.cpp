@@ -117,6 +117,30 @@ Point inside_voxel(const GridFrame& frame, const Cell& voxel, const Point& origi
   return point;
 }
 
+double squared(double value) { return value * value; }
+
+/// From a coordinate to the interval [index, index + 1].
+double gap(double at, int index) { return std::max({index - at, at - (index + 1.0), 0.0}); }
+
+/// How far above or below a coordinate the nearest occupied level of a column is [levels]; inf:
+/// there is none. `middle` is the level nearest to the coordinate.
+double nearest_level(const std::uint64_t* column, int levels, int middle, double at) {
+  double nearest = std::numeric_limits<double>::infinity();
+  const int words = (levels + 63) / 64;
+  std::uint64_t below = column[middle / 64] & (~std::uint64_t{0} >> (63 - middle % 64));
+  std::uint64_t above = column[middle / 64] & (~std::uint64_t{0} << (middle % 64));
+  for (int word = middle / 64; word >= 0; below = --word >= 0 ? column[word] : 0) {
+    if (below == 0) continue;
+    nearest = gap(at, 64 * word + 63 - __builtin_clzll(below));
+    break;
+  }
+  for (int word = middle / 64; word < words; above = ++word < words ? column[word] : 0) {
+    if (above == 0) continue;
+    return std::min(nearest, gap(at, 64 * word + __builtin_ctzll(above)));
+  }
+  return nearest;
+}
+
 OccupancyGrid load(const std::string& path) {
   const OctreeLeaves octree = read_octree(path);
   try {
@@ -171,6 +195,41 @@ RayHit OctreeSurface::cast(const Point& origin, const Point& direction, double m
                     return false;
                   });
   return hit.range < max_range ? hit : RayHit();
+}
+
+std::optional<double> OctreeSurface::first_collision(const PathRef& path) const {
+  return voxels_.first_blocked(path);
+}
+
+double OctreeSurface::clearance(const Point& point, double max_distance) const {
+  check::finite("point", point);
+  check::not_negative("max_distance", max_distance);
+  const GridFrame& frame = voxels_.frame();
+  const double edge = resolution();
+  const Point at = (point - frame.origin()) / edge;  // in voxels
+  const Point last(frame.nx() - 1.0, frame.ny() - 1.0, frame.nz() - 1.0);
+  // Rings of columns round the nearest one of the box, until none can be nearer.
+  const Cell middle = at.array().floor().max(0.0).min(last.array()).matrix().cast<int>();
+  double nearest = max_distance / edge * (max_distance / edge);
+  const int rings = std::max(frame.nx(), frame.ny());
+  for (int ring = 0; ring < rings; ++ring) {
+    const double least = std::max(ring - 1, 0);
+    if (least * least >= nearest) break;
+    for (int dx = -ring; dx <= ring; ++dx) {
+      const int ix = middle.x() + dx;
+      if (ix < 0 || ix >= frame.nx()) continue;
+      const int stride = std::abs(dx) == ring ? 1 : 2 * ring;
+      for (int dy = -ring; dy <= ring; dy += stride) {
+        const int iy = middle.y() + dy;
+        if (iy < 0 || iy >= frame.ny()) continue;
+        const double across = squared(gap(at.x(), ix)) + squared(gap(at.y(), iy));
+        if (across >= nearest) continue;
+        const double up = nearest_level(voxels_.column(ix, iy), frame.nz(), middle.z(), at.z());
+        nearest = std::min(nearest, across + squared(up));
+      }
+    }
+  }
+  return std::min(max_distance, std::sqrt(nearest) * edge);
 }
 
 }  // namespace ltp

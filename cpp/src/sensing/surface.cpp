@@ -58,6 +58,32 @@ void Surface::cast_bundle(const Point& origin, const Eigen::Matrix3d& turn,
   }
 }
 
+std::optional<double> Surface::first_collision(const PathRef& path) const {
+  if (!path.allFinite()) check::fail("path", "not finite", "finite numbers only");
+  if (path.rows() == 1) {
+    const RayHit hit = cast(path.row(0).transpose(), Point::UnitZ(), kHitMargin);
+    return hit.range == 0.0 ? std::optional<double>(0.0) : std::nullopt;
+  }
+  double arc = 0.0;
+  for (Eigen::Index i = 1; i < path.rows(); ++i) {
+    const Point begin = path.row(i - 1).transpose();
+    const Point move = path.row(i).transpose() - begin;
+    const double size = move.norm();
+    if (size > 0.0) {
+      const RayHit hit = cast(begin, move / size, size);
+      if (hit.hit()) return arc + hit.range;
+    }
+    arc += size;
+  }
+  return std::nullopt;
+}
+
+double Surface::clearance(const Point& point, double max_distance) const {
+  check::finite("point", point);
+  check::not_negative("max_distance", max_distance);
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
 void Surface::cast_rays(const PathRef& origins, const PathRef& directions, double max_range,
                         Eigen::Ref<Eigen::VectorXd> ranges) const {
   static thread_local RayHits hits;  // reused from call to call

@@ -3,6 +3,8 @@
 // What one asks of a polyline: its length, a point along it, the point of it that is closest.
 #pragma once
 
+#include <limits>
+
 #include "ltp/geometry/types.hpp"
 
 namespace ltp {
@@ -26,8 +28,10 @@ struct ClosestPoint {
   double distance = 0.0;    ///< to the point asked about [m]
 };
 
-/// The first of equally close points. Considers only the part of the path at or beyond
-/// `from_arc_length` [m]. Throws `std::invalid_argument` on an empty path or NaN.
-ClosestPoint closest_point(const PathRef& path, const Point& point, double from_arc_length = 0.0);
+/// The first of equally close points. Considers only the part of the path from `from_arc_length` to
+/// `to_arc_length` [m], or the path's end where it begins beyond that. Throws
+/// `std::invalid_argument` on an empty path or NaN.
+ClosestPoint closest_point(const PathRef& path, const Point& point, double from_arc_length = 0.0,
+                           double to_arc_length = std::numeric_limits<double>::infinity());
 
 }  // namespace ltp

@@ -54,8 +54,9 @@ class OccupancyGrid {
   /// The arc length [m] at which a path first touches a blocked cell, by an exact walk (no
   /// sampling); empty if it touches none. Cells outside the frame count as free. A path of one
   /// point is tested as that point. With `from`, only the part of the path at or beyond that arc
-  /// length [m] is looked at.
-  std::optional<double> first_blocked(const PathRef& path, double from = 0.0) const;
+  /// length [m] is looked at. The cell `ignored`, if one is given, counts as free.
+  std::optional<double> first_blocked(const PathRef& path, double from = 0.0,
+                                      const std::optional<Cell>& ignored = std::nullopt) const;
 
   bool operator==(const OccupancyGrid& other) const {
     return frame_ == other.frame_ && words_ == other.words_;

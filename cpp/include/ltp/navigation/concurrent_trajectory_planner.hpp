@@ -25,6 +25,7 @@ namespace ltp {
 struct Decision {
   std::int64_t scan = 0;  ///< number of the last scan that it knows, from 1; 0: none yet
   NavigationStatus status = NavigationStatus::Holding;
+  NavigationReason reason = NavigationReason::Undecided;  ///< why it holds or escapes
   Path path = Path(0, 3);  ///< valid on that map (N, 3) [m]; empty when there is none
   std::int64_t path_id = 0;
   int waypoint_index = 0;
@@ -73,7 +74,8 @@ class ConcurrentTrajectoryPlanner {
   /// Takes the newest decision. It stands until the next call.
   const Decision& decision();
   /// The arc length of that decision's path [m] at which the newest map blocks it, ahead of the
-  /// UAV; empty if it is free, or an escape, which leads through blocked cells.
+  /// UAV; empty if it is free. An escape leads through blocked cells: it is blocked where something
+  /// was hit, and at its end if that is free no more.
   std::optional<double> blocked_at();
 
   /// Decides on the newest snapshot. Whether there was a new one.

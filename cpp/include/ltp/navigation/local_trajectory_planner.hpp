@@ -50,6 +50,8 @@ class LocalTrajectoryPlanner {
                           const std::function<bool()>& interrupted = nullptr);
 
   NavigationStatus status() const { return navigator_.status(); }
+  /// Why it holds or escapes, or that all waypoints were dropped; `None` where it does neither.
+  NavigationReason reason() const { return navigator_.reason(); }
   /// The path to follow, beginning where the UAV was when it was made, shape (N, 3) [m]; empty when
   /// there is none.
   const Path& path() const { return navigator_.path(); }

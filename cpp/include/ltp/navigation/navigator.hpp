@@ -13,6 +13,7 @@
 #include "ltp/grid/neighbourhood.hpp"
 #include "ltp/grid/occupancy_grid.hpp"
 #include "ltp/grid/raster.hpp"
+#include "ltp/navigation/navigation_reason.hpp"
 #include "ltp/navigation/obstacle_memory.hpp"
 #include "ltp/planning/planner.hpp"
 
@@ -54,6 +55,8 @@ struct WaypointEvent {
   bool reached = false;  ///< true: reached; false: dropped
   /// Why it was dropped: `GoalBlocked` or `Unreachable`, nothing else; `Found` if it was reached.
   PlanStatus reason = PlanStatus::Found;
+  /// The same as it is told: `GoalBlocked` or `Unreachable`; `None` if it was reached.
+  NavigationReason why = NavigationReason::None;
   Point position = Point::Zero();       ///< of the UAV [m]
   Point goal = Point::Zero();           ///< the waypoint [m]
   Point window_origin = Point::Zero();  ///< lowest corner of the map's window [m]
@@ -75,10 +78,16 @@ struct MapView {
   std::int64_t version = 0;       ///< of the map: `ObstacleMap::version`
 };
 
-/// Holds the waypoints and the plan. Replans when the path is blocked, when a waypoint is reached
-/// or dropped, when the UAV has left its path; never on a clock. Drops a waypoint only on proof:
-/// the map has it in a blocked cell, or a flood from it, over all that is remembered and sharing
-/// nothing with the planners, ends neither at the UAV nor at the edge of the known.
+/// Whether a cell that was hit lies on an escape at or beyond an arc length [m]. The cell of the
+/// UAV's position counts as free: it is there.
+bool hit_on_escape(const OccupancyGrid& occupied, const PathRef& path, double from,
+                   const Point& position);
+
+/// Holds the waypoints and the plan. Replans when the path is blocked (an escape, which leads
+/// through blocked cells: when a hit lies on it or its end is free no more), when a waypoint is
+/// reached or dropped, when the UAV has left its path; never on a clock. Drops a waypoint only on
+/// proof: the map has it in a blocked cell, or a flood from it, over all that is remembered and
+/// sharing nothing with the planners, ends neither at the UAV nor at the edge of the known.
 class Navigator {
  public:
   /// @param planner           not null; owned
@@ -106,6 +115,7 @@ class Navigator {
 
   // What was decided: see `LocalTrajectoryPlanner`.
   NavigationStatus status() const { return status_; }
+  NavigationReason reason() const { return reason_; }
   const Path& path() const { return path_; }
   std::int64_t path_id() const { return path_id_; }
   const std::vector<PlanRecord>& plans() const { return plans_; }
@@ -128,7 +138,7 @@ class Navigator {
 
   bool finished() const { return next_ >= waypoints_.rows(); }
   Point waypoint(int index) const { return waypoints_.row(index).transpose(); }
-  void retire(const MapView& map, bool reached, PlanStatus reason, const Point& position);
+  void retire(const MapView& map, NavigationReason why, const Point& position);
   void take_reached(const MapView& map, const Point& position);
   bool must_replan(const MapView& map, const Point& position);
   void replan(const MapView& map, const Point& position, const std::function<bool()>& interrupted);
@@ -136,7 +146,11 @@ class Navigator {
   std::optional<Point> target_inside(const MapView& map, const Point& position,
                                      const LevelRange& levels);
   std::optional<Point> escape_point(const MapView& map, const Point& position) const;
+  NavigationReason why_no_path(const MapView& map, const Point& position, const LevelRange& levels,
+                               NavigationReason otherwise);
   void follow(NavigationStatus status, const Path& path, const Point& target);
+  void hold(NavigationReason reason);
+  void finish();
   void give_up_path();
 
   std::unique_ptr<Planner> planner_;
@@ -148,11 +162,13 @@ class Navigator {
   std::vector<WaypointEvent> events_;
 
   NavigationStatus status_ = NavigationStatus::Finished;
+  NavigationReason reason_ = NavigationReason::None;
   Path path_ = Path(0, 3);
   Point target_ =
       Point::Zero();       ///< the end of `path_`: a waypoint, or a stopover on the way to it
   bool stopover_ = false;  ///< whether `target_` is not the waypoint itself
   double progress_ = 0.0;  ///< arc length of `path_` already flown [m]
+  Point last_position_ = Point::Zero();  ///< of the UAV, where `progress_` was noted [m]
   std::int64_t path_id_ = 0;
   std::int64_t planned_on_ = kNoVersion;  ///< version of the map that was last planned on
   std::vector<PlanRecord> plans_;

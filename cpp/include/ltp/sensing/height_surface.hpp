@@ -40,11 +40,11 @@ class HeightSurface final : public Surface {
   /// Arc length [m] at which a path first touches the solid, exactly along its segments (a closed
   /// solid: grazing a top or a wall touches it); empty if it never does. A path of one point is
   /// tested as that point. Throws for coordinates that are not finite.
-  std::optional<double> first_collision(const PathRef& path) const;
+  std::optional<double> first_collision(const PathRef& path) const override;
 
   /// Distance [m] from a point to the solid, 0 inside it, at most `max_distance`. Throws for values
   /// that are not finite or a negative distance.
-  double clearance(const Point& point, double max_distance) const;
+  double clearance(const Point& point, double max_distance) const override;
 
   /// The cells of `frame` that hold any of the solid: what a perfect and complete sensor would map.
   /// A cell whose lower face lies in a top holds none of it. Overlaps below 0.1 um do not count.

@@ -27,6 +27,9 @@ class OctreeSurface final : public Surface {
   const OccupancyGrid& voxels() const { return voxels_; }
 
   RayHit cast(const Point& origin, const Point& direction, double max_range) const override;
+  /// Voxels are half open: the cell of a point is `voxels().frame().cell_of`.
+  std::optional<double> first_collision(const PathRef& path) const override;
+  double clearance(const Point& point, double max_distance) const override;
 
  private:
   OccupancyGrid voxels_;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "ltp/geometry/types.hpp"
@@ -115,6 +116,16 @@ class Surface {
   /// The default casts one by one; a height surface first looks where each ray can hit at all.
   virtual void cast_bundle(const Point& origin, const Eigen::Matrix3d& turn,
                            const PathRef& directions, double max_range, RayHits& hits) const;
+
+  /// Arc length [m] at which a path, shape (N, 3) [m], first touches the solid, exactly along its
+  /// segments; empty if it never does. A path of one point is tested as that point. Throws for
+  /// coordinates that are not finite. The default casts along each segment, so a path that only
+  /// grazes goes on.
+  virtual std::optional<double> first_collision(const PathRef& path) const;
+
+  /// Distance [m] from a point to the solid, 0 inside it, at most `max_distance`. Throws for values
+  /// that are not finite or a negative distance. The default does not know it: NaN.
+  virtual double clearance(const Point& point, double max_distance) const;
 
   /// Ranges [m] of any rays; inf: no hit nearer than `max_range`. Neighbours with the same origin
   /// are cast together.
