@@ -20,6 +20,7 @@ from ltp._core import (
     LinearisedOptions,
     LocalTrajectoryPlanner,
     NavigationOptions,
+    NavigationReason,
     NavigationStatus,
     ObstacleMap,
     ObstacleMapOptions,
@@ -39,6 +40,7 @@ from ltp._core import (
     Scan,
     ScanStatistics,
     Scene,
+    Surface,
     TangentBugOptions,
     __version__,
     distance_field,
@@ -49,9 +51,9 @@ from ltp._core import (
     planners,
     tally,
 )
-from ltp.config import MissionConfig, VehicleOptions
+from ltp.config import GuidanceOptions, MissionConfig, VehicleOptions
 from ltp.registry import PLANNERS, make_planner
-from ltp.sim import FlightRecord, Outcome, fly
+from ltp.sim import FlightRecord, Outcome, PathFollower, PointMass, fly
 from ltp.world import World
 
 __all__ = [
@@ -65,6 +67,7 @@ __all__ = [
     "FlightRecord",
     "Front",
     "GridFrame",
+    "GuidanceOptions",
     "HeightSurface",
     "HermiteOptions",
     "InsertStatistics",
@@ -75,12 +78,14 @@ __all__ = [
     "LocalTrajectoryPlanner",
     "MissionConfig",
     "NavigationOptions",
+    "NavigationReason",
     "NavigationStatus",
     "ObstacleMap",
     "ObstacleMapOptions",
     "OccupancyGrid",
     "OctreeSurface",
     "Outcome",
+    "PathFollower",
     "PathTally",
     "PenaltyWeights",
     "Plan",
@@ -88,6 +93,7 @@ __all__ = [
     "Planner",
     "PlannerInfo",
     "PlannerOptions",
+    "PointMass",
     "Pose",
     "Query",
     "Raster",
@@ -95,6 +101,7 @@ __all__ = [
     "Scan",
     "ScanStatistics",
     "Scene",
+    "Surface",
     "TangentBugOptions",
     "VehicleOptions",
     "World",

@@ -71,6 +71,8 @@ def fly(
 
     Settings come from --config; the options named here win over it. The global path is one of the
     seeded ones, unless --waypoints gives another.
+
+    Exits with 1 after a collision, a time-out, or a flight that reached no waypoint.
     """
     from ltp.world.off_world import refuse_off_world
 
@@ -113,6 +115,8 @@ def fly(
     tell("figure", out / "flight.png")
     if recorded is not None:
         tell_recording(recorded)
+    if record.outcome != "reached":
+        raise typer.Exit(1)
 
 
 def _set_given(holder: object, **settings: object) -> None:
@@ -123,13 +127,13 @@ def _set_given(holder: object, **settings: object) -> None:
 
 
 def _report(record: "FlightRecord") -> None:
+    outcome = record.outcome.value.replace("_", " ")
     say(
-        f"{record.outcome.value} after {record.duration:.0f} s and {record.length:.0f} m: "
+        f"{outcome} after {record.duration:.0f} s and {record.length:.0f} m: "
         f"mean priority {record.mean_priority:.2f}, length ratio {record.length_ratio:.2f}, "
         f"clearance {record.min_clearance:.1f} m, {len(record.plans)} plans"
     )
+    if record.reason:
+        say(f"why: {record.reason}")
     for event in record.dropped:
-        say(
-            f"waypoint {event.index + 1} dropped at {event.time:.0f} s: "
-            f"{event.reason.replace('_', ' ')}"
-        )
+        say(f"waypoint {event.index + 1} dropped at {event.time:.0f} s: {event.reason_text}")

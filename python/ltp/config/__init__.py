@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The settings of a mission, in and out of TOML."""
 
+from ltp.config.guidance import GuidanceOptions
 from ltp.config.mission import MissionConfig, VehicleOptions
 
-__all__ = ["MissionConfig", "VehicleOptions"]
+__all__ = ["GuidanceOptions", "MissionConfig", "VehicleOptions"]

@@ -21,6 +21,7 @@ from ltp._core import (
     PlannerOptions,
     planner_info,
 )
+from ltp.config.guidance import GuidanceOptions
 from ltp.config.moved import MOVED, warn_of, with_new_names
 from ltp.config.ranges import check_ranges, check_window
 from ltp.config.tables import assign, differences, field_names, plain, read_toml, toml_lines
@@ -74,6 +75,9 @@ class MissionConfig:
     )
     vehicle: Annotated[VehicleOptions, "limits of the point-mass vehicle"] = field(
         default_factory=VehicleOptions
+    )
+    guidance: Annotated[GuidanceOptions, "how closely and how fast a path is followed"] = field(
+        default_factory=GuidanceOptions
     )
     lidar: Annotated[LidarOptions, "the simulated sensor"] = field(default_factory=LidarOptions)
     mapping: Annotated[ObstacleMapOptions, "the map of what was sensed"] = field(

@@ -5,11 +5,13 @@
 import warnings
 from typing import TYPE_CHECKING
 
+from ltp.sim.guidance import PathFollower
 from ltp.sim.mission import Mission, fly
 from ltp.sim.observer import Observer
 from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WaypointEntry
 from ltp.sim.setup import MissionSetup
 from ltp.sim.step import Step
+from ltp.sim.vehicle import PointMass
 
 __all__ = [
     "FlightRecord",
@@ -17,7 +19,9 @@ __all__ = [
     "MissionSetup",
     "Observer",
     "Outcome",
+    "PathFollower",
     "PlanEntry",
+    "PointMass",
     "Step",
     "WaypointEntry",
     "fly",

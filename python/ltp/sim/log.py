@@ -45,13 +45,17 @@ class FlightLog:
         """See `Observer`."""
 
     def record(
-        self, outcome: Outcome, collision: tuple[float, float, float] | None
+        self,
+        outcome: Outcome,
+        collision: tuple[float, float, float] | None,
+        reason: str = "",
     ) -> FlightRecord:
         """The record of the flight so far.
 
         Args:
             outcome: how it ended.
             collision: where the true world was touched, if it was [m].
+            reason: why it ended so.
         """
         setup, positions = self._setup, np.array(self._positions)
         flown = tally(positions, setup.priority)
@@ -73,4 +77,5 @@ class FlightLog:
             min_clearance=float(clearance.min()),
             mean_priority=flown.mean_priority,
             length=flown.length,
+            reason=reason,
         )

@@ -4,9 +4,19 @@
 
 from collections.abc import Sequence
 
+import numpy as np
 from numpy.typing import ArrayLike
 
-from ltp._core import Lidar, LocalTrajectoryPlanner, NavigationStatus, Pose, Raster, Scan
+from ltp._core import (
+    Lidar,
+    LocalTrajectoryPlanner,
+    NavigationReason,
+    NavigationStatus,
+    Pose,
+    Raster,
+    Scan,
+    Surface,
+)
 from ltp.config import MissionConfig
 from ltp.sim.decisions import DecisionLog
 from ltp.sim.guidance import PathFollower
@@ -24,7 +34,7 @@ class Mission:
 
     def __init__(
         self,
-        world: World,
+        world: World | Surface,
         config: MissionConfig,
         global_path: ArrayLike,
         observers: Sequence[Observer] = (),
@@ -44,7 +54,14 @@ class Mission:
         )
         self.planner.set_waypoints(self.setup.waypoints)
         self.vehicle = PointMass(start, config.vehicle)
-        self.guidance = PathFollower(config.vehicle.speed, config.vehicle.max_acceleration)
+        self.guidance = PathFollower(
+            config.vehicle.speed,
+            config.vehicle.max_acceleration,
+            cell=float(np.min(config.mapping.cell)),
+            max_climb=config.vehicle.max_climb,
+            step=config.step,
+            options=config.guidance,
+        )
 
     def __repr__(self) -> str:
         setup = self.setup
@@ -80,7 +97,7 @@ class Mission:
                 step = steps.make(tick * config.step, None, status)
                 for observer in observers:
                     observer.on_step(step)
-        record = log.record(outcome, collision)
+        record = log.record(outcome, collision, self._reason(step, outcome, held))
         for observer in observers:
             observer.on_end(record)
         return record
@@ -96,7 +113,8 @@ class Mission:
     def _outcome(self, step: Step, held: float) -> Outcome | None:
         """How the flight ends here, if it does. held: for how long it has had no path [s]."""
         if step.status == NavigationStatus.FINISHED:
-            return Outcome.REACHED
+            reached = step.reason != NavigationReason.ALL_DROPPED
+            return Outcome.REACHED if reached else Outcome.NOTHING_REACHED
         if step.time >= self.setup.time_limit or held >= self.setup.config.hold_limit:
             return Outcome.TIMED_OUT
         return None
@@ -104,11 +122,23 @@ class Mission:
     def _move(self, step: Step) -> None:
         if step.path_changed:
             self.guidance.follow(step.path)
-        self.vehicle.step(self.guidance.command(step.position), self.setup.config.step)
+        command = self.guidance.command(step.position, step.velocity, step.map.occupied)
+        self.vehicle.step(command, self.setup.config.step)
+
+    def _reason(self, step: Step, outcome: Outcome, held: float) -> str:
+        """Why the flight ended as it did, a sentence without its full stop; "" if it got there."""
+        if outcome is Outcome.COLLIDED:
+            return "the true world was touched"
+        if outcome is not Outcome.TIMED_OUT:
+            return step.reason.text
+        if step.status == NavigationStatus.HOLDING:
+            since = f" for {held:.0f} s" if held >= self.setup.config.hold_limit else ""
+            return f"held{since}: {step.reason.text}"
+        return f"no more time: the limit of {self.setup.time_limit:.0f} s is over"
 
 
 def fly(
-    world: World,
+    world: World | Surface,
     config: MissionConfig,
     global_path: ArrayLike,
     observers: Sequence[Observer] = (),
@@ -117,15 +147,21 @@ def fly(
     """Fly a mission over a world.
 
     Args:
-        world: what is really there; the UAV learns of it through its LiDAR only.
+        world: what is really there; the UAV learns of it through its LiDAR only. A `World`, or any
+            `Surface`: an octree, a window in a wall, wires.
         config: planner, weights, sensor, map, vehicle.
         global_path: (n, 3), n >= 2, world [m]; the UAV starts at its first point, the others are
             its waypoints. It may lead through buildings.
         observers: told of every step, in order.
         priority: a priority map in [0, 1] to fly with instead of that of the world and the
             configuration; `priority_map` "lpf" averages it over the camera's footprint.
+            Over a bare surface the priority is 0 unless one is given.
 
     Returns:
         The record of the flight; the same for the same arguments, but for wall times.
+
+    Raises:
+        ValueError: for a configuration or a global path that cannot be flown; it is named. So is
+            the least altitude that works, for a start too low above the ground.
     """
     return Mission(world, config, global_path, observers, priority).fly()

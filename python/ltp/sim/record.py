@@ -13,7 +13,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ltp._core import PlanRecord, WaypointEvent
+from ltp._core import NavigationReason, PlanRecord, WaypointEvent
 from ltp.brief import brief
 from ltp.config import MissionConfig
 from ltp.files import atomic_write, blamed_on
@@ -34,7 +34,8 @@ def _old_name(old: str, name: str) -> property:
 class Outcome(enum.StrEnum):
     """How a flight ended."""
 
-    REACHED = "reached"  # the last waypoint was reached, or proved unreachable
+    REACHED = "reached"  # a waypoint was reached, and all others were reached or dropped
+    NOTHING_REACHED = "nothing_reached"  # every waypoint was dropped
     TIMED_OUT = "timed_out"
     COLLIDED = "collided"
 
@@ -50,6 +51,12 @@ class WaypointEntry:
     position: tuple[float, float, float]  # of the UAV
     goal: tuple[float, float, float]  # the waypoint
     window_origin: tuple[float, float, float]  # lowest corner of the map's window
+
+    @property
+    def reason_text(self) -> str:
+        """The reason as a plain sentence without its full stop; "" if it was reached."""
+        known = NavigationReason.__members__.get(self.reason.upper())
+        return known.text if known is not None else self.reason.replace("_", " ")
 
     @classmethod
     def of(cls, event: WaypointEvent, time: float) -> Self:
@@ -122,6 +129,7 @@ class FlightRecord:
     mean_priority: float  # along the flown path, exact
     length: float  # of the flown path [m]
     metadata: dict[str, Any] = field(default_factory=dict)  # the user's own, JSON values
+    reason: str = ""  # why it ended so, a sentence without its full stop; "" if it got there
 
     way_points = _old_name("way_points", "waypoints")
     way_point_index = _old_name("way_point_index", "waypoint_index")
@@ -180,6 +188,7 @@ class FlightRecord:
             "world_name": self.world_name,
             "attribution": self.attribution,
             "outcome": self.outcome.value,
+            "reason": self.reason,
             "collision": self.collision,
             "min_clearance": self.min_clearance,
             "mean_priority": self.mean_priority,

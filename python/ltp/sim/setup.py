@@ -9,9 +9,11 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ltp._core import HeightSurface, Raster, path_length
+from ltp._core import HeightSurface, Raster, Surface, path_length
 from ltp.brief import brief
 from ltp.config import MissionConfig
+from ltp.sim.scenery import scenery_of
+from ltp.sim.take_off import check_take_off
 from ltp.world import World, priority_map
 from ltp.world.off_world import refuse_off_world
 from ltp.world.priority import seen_priority
@@ -24,7 +26,7 @@ class MissionSetup:
     world: World
     config: MissionConfig
     global_path: NDArray[np.float64]  # (n, 3), n >= 2: the start and the waypoints, world [m]
-    surface: HeightSurface  # what is really there
+    surface: Surface  # what is really there
     priority: Raster  # the map that the UAV is given
 
     __repr__ = brief
@@ -32,7 +34,7 @@ class MissionSetup:
     @classmethod
     def of(
         cls,
-        world: World,
+        world: World | Surface,
         config: MissionConfig,
         global_path: ArrayLike,
         priority: Raster | None = None,
@@ -40,12 +42,17 @@ class MissionSetup:
         """Prepare a mission: see `fly`.
 
         Raises:
-            ValueError: for a configuration or a global path that cannot be flown; it is named.
+            ValueError: for a configuration, a global path or a start that cannot be flown; it is
+                named.
         """
         config = copy.copy(config)  # whatever becomes of the caller's
         config.check()
         path = _checked_path(global_path)
+        if isinstance(world, Surface):
+            scenery = scenery_of(world)
+            return cls(scenery, config, path, world, priority or _no_priority())
         refuse_off_world(world, path)
+        check_take_off(world, config, path)
         surface = HeightSurface(world.surface_raster())
         return cls(world, config, path, surface, _priority(world, config, path, priority))
 
@@ -71,6 +78,10 @@ class MissionSetup:
         length = path_length(segment)
         x, y, z = before + (after - before) * (arc / length if length > 0 else 0.0)
         return float(x), float(y), float(z)
+
+
+def _no_priority() -> Raster:
+    return Raster(np.zeros((1, 1)), origin=(0.0, 0.0), cell=1.0)
 
 
 def _checked_path(global_path: ArrayLike) -> NDArray[np.float64]:

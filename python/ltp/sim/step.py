@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ltp._core import (
     LocalTrajectoryPlanner,
+    NavigationReason,
     NavigationStatus,
     ObstacleMap,
     PlanRecord,
@@ -29,6 +30,7 @@ class Step:
     velocity: NDArray[np.float64]  # (3,), of the UAV [m/s]
     scan: Scan | None  # None: the UAV has collided, and nothing was sensed or planned any more
     status: NavigationStatus
+    reason: NavigationReason  # why it holds or escapes, or that all waypoints were dropped
     path: NDArray[np.float64]  # (k, 3), to follow from here; k = 0: stay [m]
     path_changed: bool  # since the step before
     waypoint_index: int  # the waypoint flown to
@@ -68,6 +70,7 @@ class StepMaker:
             velocity=vehicle.velocity,
             scan=scan,
             status=status,
+            reason=planner.reason,
             path=self._path,
             path_changed=changed,
             waypoint_index=planner.waypoint_index,

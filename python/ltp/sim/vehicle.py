@@ -21,6 +21,10 @@ class PointMass:
         self.position = np.array(position, dtype=np.float64)
         self.velocity = np.zeros(3)
 
+    def __repr__(self) -> str:
+        place, pace = (", ".join(f"{n:g}" for n in v) for v in (self.position, self.velocity))
+        return f"PointMass(position=({place}) m, velocity=({pace}) m/s, {self.options!r})"
+
     def step(self, command: NDArray[np.float64], seconds: float) -> None:
         """Move for one step towards a commanded velocity (3,) [m/s], within the limits."""
         wanted = self._within_limits(command)

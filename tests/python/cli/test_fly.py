@@ -113,3 +113,39 @@ def test_a_list_of_classes_and_the_limits_come_from_a_file(world: str, tmp_path:
     config.write_text('landable = ["watr"]\n')
     told = fail("fly", world, *SHORT, "--config", config, "--out", out)
     assert "config.toml: landable must be land classes: 'watr' is none of unknown, grass" in told
+
+
+def table(path: Path, *points: str) -> Path:
+    path.write_text("# x,y,z\n" + "\n".join(points) + "\n")
+    return path
+
+
+@pytest.mark.parametrize(
+    ("points", "words"),
+    [
+        (("70,65,30", "200,65,30"), ("collided", "why: the true world was touched")),
+        (("20,20,30", "75,65,30"), ("nothing reached", "all waypoints were dropped")),
+        (("20,20,30", "240,20,30"), ("timed out", "no more time")),
+    ],
+)
+def test_a_flight_that_fails_exits_with_1_and_says_why(
+    world: str, tmp_path: Path, points: tuple[str, ...], words: tuple[str, ...]
+) -> None:
+    config = tmp_path / "config.toml"
+    config.write_text("time_limit_factor = 0.9\n" if words[0] == "timed out" else "")
+    waypoints = table(tmp_path / "points.csv", *points)
+    options = ("--waypoints", waypoints, "--config", config, "--no-recording", "--out", tmp_path)
+    result = run("fly", world, *options)
+    assert result.exit_code == 1
+    said = " ".join(result.output.split())
+    assert all(word in said for word in words), said
+    assert FlightRecord.load(tmp_path / "flight.npz").reason in said
+
+
+def test_a_start_too_low_is_a_mistake_that_names_the_least_altitude(
+    world: str, tmp_path: Path
+) -> None:
+    waypoints = table(tmp_path / "points.csv", "20,20,2", "60,20,2")
+    said = fail("fly", world, "--waypoints", waypoints, "--no-recording", "--out", tmp_path)
+    assert "start's altitude is 2 m" in said
+    assert "at least 4 m" in said

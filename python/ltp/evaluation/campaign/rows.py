@@ -34,7 +34,7 @@ class FlightRow:
     scenario: int
     seed: int
     crosses_building: bool  # the straight global path does
-    outcome: str  # reached, timed_out, collided
+    outcome: str  # reached, nothing_reached, timed_out, collided
     waypoints: int  # to reach: the start is none
     reached: int  # waypoints reached
     dropped: int  # waypoints dropped as proved unreachable
@@ -67,8 +67,8 @@ class FlightRow:
 
     @property
     def completed(self) -> bool:
-        """Whether the end of the global path was reached, or proved unreachable."""
-        return self.outcome == "reached"
+        """Whether it came to its end: each waypoint was reached, or dropped on proof."""
+        return self.outcome in ("reached", "nothing_reached")
 
     @property
     def path(self) -> tuple[int, int]:
