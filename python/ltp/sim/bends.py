@@ -51,6 +51,8 @@ class Bends:
         reaches = np.full(len(path), np.inf)
         for scale in _SCALES:
             window = scale * cut
+            if acceleration * window > math.pi * speed * speed:
+                break  # bears the speed whatever the turn
             behind = path - _points(path, arcs, arcs - window)
             ahead = _points(path, arcs, arcs + window) - path
             sizes = np.linalg.norm(behind, axis=1) * np.linalg.norm(ahead, axis=1)
@@ -76,6 +78,8 @@ class Bends:
 
     def aim(self, arc: float, aim: float) -> float:
         """The arc length to aim at from one [m]: not farther past a bend than its look-ahead."""
+        if len(self.arcs) == 0:
+            return aim
         for index in range(int(np.searchsorted(self.arcs, arc)), len(self.arcs)):
             if self.arcs[index] >= aim:
                 break

@@ -105,12 +105,10 @@ class PathFollower:
         """
         now = self._last if velocity is None else velocity
         wanted = self._wanted(position, math.sqrt(now @ now))
-        self._last = self._reachable(wanted, now)
-        if occupied is not None:
-            for share in _SLOWER:
-                self._last = self._reachable(share * wanted, now)
-                if self._can_stop(position, self._last, occupied):
-                    break
+        for share in _SLOWER:
+            self._last = self._reachable(share * wanted, now)
+            if occupied is None or self._can_stop(position, self._last, occupied):
+                break
         return self._last
 
     def _wanted(self, position: NDArray[np.float64], pace: float) -> NDArray[np.float64]:
@@ -127,8 +125,12 @@ class PathFollower:
         distance = math.sqrt(ahead @ ahead)
         if distance < 1e-9:
             return np.zeros(3)
-        left = self._left(position, arc)
         braking = self.options.braking_share * self.max_acceleration
+        left = self._length - arc
+        if left * braking < self.speed * self.speed:  # near the end; of a staircase its diagonal
+            offset = self._path[-1] - position
+            straight = math.sqrt(offset @ offset)
+            left = straight if 2.0 * straight >= left else left
         speed = min(
             self.speed,
             self._bends.speed(arc, braking),
@@ -139,13 +141,6 @@ class PathFollower:
         if climb > self.max_climb:
             speed *= self.max_climb / climb
         return ahead * (speed / distance)
-
-    def _left(self, position: NDArray[np.float64], arc: float) -> float:
-        """What is left of the path from an arc length on [m]: of a staircase its diagonal."""
-        left = self._length - arc
-        offset = self._path[-1] - position
-        straight = math.sqrt(offset @ offset)
-        return straight if 2.0 * straight >= left else left
 
     def _reach(self, pace: float) -> float:
         """How far ahead to aim on a straight stretch at a speed [m/s]."""
@@ -172,8 +167,9 @@ class PathFollower:
             return True
         way = speed * self.step + speed * speed / (2.0 * self.max_acceleration)
         end = position + velocity * ((way + self.options.stop_margin) / speed)
-        own = occupied.frame.cell_of(position)
-        free = occupied.first_blocked(np.array((position, end)), 0.0, own)
-        if free is None:
+        segment = np.array((position, end))
+        if occupied.first_blocked(segment) is None:
             return True
-        return way <= free - min(self.options.stop_margin, 0.5 * free)
+        # The UAV's own cell may have a hit in it; it can leave.
+        free = occupied.first_blocked(segment, 0.0, occupied.frame.cell_of(position))
+        return free is None or way <= free - min(self.options.stop_margin, 0.5 * free)
