@@ -123,5 +123,19 @@ TEST(Polyline, PrefersTheFirstOfEquallyClosePoints) {
   EXPECT_EQ(closest_point(loop, Point(0, 0, 0), 1.0).arc_length, 16.0);
 }
 
+TEST(Polyline, LooksNoFartherThanItIsTold) {
+  // There and back, 1 m apart: from the first leg's middle the way back is as near as can be.
+  const Path path = rows({{0, 0, 0}, {10, 0, 0}, {10, 1, 0}, {0, 1, 0}});
+  EXPECT_EQ(closest_point(path, Point(5, 0.9, 0)).arc_length, 16.0);
+  EXPECT_EQ(closest_point(path, Point(5, 0.9, 0), 0.0, 10.0).arc_length, 5.0);
+  EXPECT_EQ(closest_point(path, Point(5, 0.9, 0), 2.0, 4.0).arc_length, 4.0);
+  EXPECT_EQ(closest_point(path, Point(5, 0.9, 0), 12.0, 13.5).arc_length, 13.5);
+  EXPECT_EQ(closest_point(path, Point(5, 0.9, 0), 6.0, 2.0).arc_length, 6.0) << "where it begins";
+  EXPECT_EQ(closest_point(path, Point(0, 1, 0), 0.0, 1e9).arc_length, 21.0);
+  EXPECT_EQ(closest_point(path, Point(0, 1, 0), 50.0, 60.0).arc_length, 21.0);
+  EXPECT_EQ(closest_point(path, Point(5, 0, 0), -3.0, -1.0).arc_length, 0.0);
+  EXPECT_THROW(closest_point(path, Point::Zero(), 0.0, kNan), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace ltp

@@ -214,6 +214,21 @@ std::optional<double> slow_first_blocked(const OccupancyGrid& grid, const Path& 
   return std::nullopt;
 }
 
+TEST(OccupancyGrid, PassesTheCellThatIsIgnored) {
+  OccupancyGrid grid(GridFrame(Point::Zero(), Point::Ones(), {10, 3, 3}));
+  grid.set({2, 1, 1});
+  grid.set({6, 1, 1});
+  Path path(2, 3);
+  path << 0.5, 1.5, 1.5, 9.5, 1.5, 1.5;
+  EXPECT_EQ(grid.first_blocked(path), 1.5);
+  EXPECT_EQ(grid.first_blocked(path, 0.0, Cell(2, 1, 1)), 5.5);
+  EXPECT_EQ(grid.first_blocked(path, 0.0, Cell(6, 1, 1)), 1.5);
+  EXPECT_EQ(grid.first_blocked(path, 0.0, Cell(50, 1, 1)), 1.5);
+  const Path inside = Point(2.5, 1.5, 1.5).transpose();
+  EXPECT_EQ(grid.first_blocked(inside), 0.0);
+  EXPECT_FALSE(grid.first_blocked(inside, 0.0, Cell(2, 1, 1)).has_value());
+}
+
 TEST(OccupancyGrid, FindsTheFirstTouchOfRandomPaths) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(0.0, 1.0);

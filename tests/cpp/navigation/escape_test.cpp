@@ -3,6 +3,8 @@
 // Escapes: looked at again with every scan, never through what was hit; and why a UAV holds.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
