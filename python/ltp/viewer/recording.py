@@ -121,6 +121,7 @@ class FlightRecording:
         self._note_map()
         text = f"{record.outcome.value}: mean priority {record.mean_priority:.2f}, "
         text += f"length ratio {record.length_ratio:.2f}, {len(record.dropped)} waypoints dropped"
+        text += f"; {record.reason}" if record.reason else ""
         self._log("events", self._rr.TextLog(text, level="INFO"))
         if record.collision is not None:
             spot = np.array([record.collision])
@@ -130,7 +131,7 @@ class FlightRecording:
 
     def _note_events(self, step: Step) -> None:
         for event in step.events:
-            fate = "reached" if event.reached else f"dropped: {event.reason.name.lower()}"
+            fate = "reached" if event.reached else f"dropped: {event.why.text}"
             level = "INFO" if event.reached else "WARN"
             text = f"waypoint {event.index + 1} {fate}"
             self._log("events", self._rr.TextLog(text, level=level))
