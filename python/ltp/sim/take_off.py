@@ -31,7 +31,7 @@ def check_take_off(world: World, config: MissionConfig, path: NDArray[np.float64
     blocked = math.floor((ground - _HIT_DEPTH) / height) + _reach(radius, height)
     least = (blocked + 1) * height
     ceiling = max(altitude, float(path[1, 2])) + config.navigation.band[1]
-    if ground <= altitude < least and ceiling < least:
+    if altitude < least and ceiling < least:
         raise ValueError(
             f"global_path[0]: the start's altitude is {altitude:g} m, {altitude - ground:g} m "
             f"above the ground, in a cell that the ground blocks (cells {height:g} m high, "

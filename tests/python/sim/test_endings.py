@@ -154,6 +154,7 @@ def test_only_a_hold_without_a_break_times_out(holds, outcome) -> None:
         (3.0, 6.0, 8.0),
         (17.3, 19.0, 24.0),
         (-12.5, -10.0, -8.0),
+        (20.0, 15.0, 24.0),  # below the ground
     ],
 )
 def test_a_start_too_low_is_refused_and_the_least_altitude_works(ground, altitude, least) -> None:
