@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A path's bends: how fast they may be flown, and how far past them to aim."""
 
+import bisect
 import math
 from dataclasses import dataclass
 from typing import Self
@@ -20,6 +21,7 @@ class Bends:
     arcs: NDArray[np.float64]  # arc lengths of the bends, ascending [m]
     speeds: NDArray[np.float64]  # there, squared [m^2/s^2]
     reaches: NDArray[np.float64]  # look-ahead there; the bend begins and ends so far from it [m]
+    pairs: list[tuple[float, float]]  # arcs and reaches, for a look at one or two of them
 
     @classmethod
     def of(
@@ -51,7 +53,7 @@ class Bends:
         reaches = np.full(len(path), np.inf)
         for scale in _SCALES:
             window = scale * cut
-            if acceleration * window > math.pi * speed * speed:
+            if scale > _SCALES[0] and acceleration * window > math.pi * speed * speed:
                 break  # bears the speed whatever the turn
             behind = path - _points(path, arcs, arcs - window)
             ahead = _points(path, arcs, arcs + window) - path
@@ -64,27 +66,28 @@ class Bends:
             limits = np.minimum(limits, allowed)
             reaches = np.minimum(reaches, cut / (_CUT * sine))
         bends = (limits < speed * speed) | (reaches < reach)
-        return cls(arcs[bends], limits[bends], reaches[bends])
+        where, reach_at = arcs[bends], reaches[bends]
+        pairs = list(zip(where.tolist(), reach_at.tolist(), strict=True))
+        return cls(where, limits[bends], reach_at, pairs)
 
     def speed(self, arc: float, braking: float) -> float:
         """How fast to fly at an arc length [m], that each bend is entered at its speed [m/s].
 
         braking: before and after bends [m/s^2].
         """
-        if len(self.arcs) == 0:
+        if not self.pairs:
             return math.inf
         beyond = np.maximum(np.abs(self.arcs - arc) - self.reaches, 0.0)
         return math.sqrt((self.speeds + 2.0 * braking * beyond).min())
 
     def aim(self, arc: float, aim: float) -> float:
         """The arc length to aim at from one [m]: not farther past a bend than its look-ahead."""
-        if len(self.arcs) == 0:
-            return aim
-        for index in range(int(np.searchsorted(self.arcs, arc)), len(self.arcs)):
-            if self.arcs[index] >= aim:
+        for index in range(bisect.bisect_left(self.pairs, (arc,)), len(self.pairs)):
+            bend, reach = self.pairs[index]
+            if bend >= aim:
                 break
-            aim = min(aim, max(self.arcs[index], arc + self.reaches[index]))
-        return float(aim)
+            aim = min(aim, max(bend, arc + reach))
+        return aim
 
 
 def _points(

@@ -79,7 +79,7 @@ def test_a_corner_is_flown_within_half_a_cell(cell: float, speed: float, degrees
     np.testing.assert_allclose(track[-1], path[-1], atol=0.05 * cell + 0.01)
 
 
-@pytest.mark.parametrize("cell", [0.25, 1.0, 2.0])
+@pytest.mark.parametrize("cell", [0.25, 1.0, 2.0, 8.0])
 @pytest.mark.parametrize("seed", range(4))
 def test_a_grid_path_is_flown_within_half_a_cell(cell: float, seed: int) -> None:
     path = grid_path(seed, cell)
