@@ -133,7 +133,7 @@ def _report(record: "FlightRecord") -> None:
         f"mean priority {record.mean_priority:.2f}, length ratio {record.length_ratio:.2f}, "
         f"clearance {record.min_clearance:.1f} m, {len(record.plans)} plans"
     )
-    if record.reason:
+    if record.outcome != "reached":
         say(f"why: {record.reason}")
     for event in record.dropped:
         say(f"waypoint {event.index + 1} dropped at {event.time:.0f} s: {event.reason_text}")

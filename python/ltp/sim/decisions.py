@@ -43,7 +43,8 @@ class DecisionLog:
             _log.info("%.1f s: waypoint %d %s", step.time, event.index, how)
         if step.status != self._status:
             where = tuple(round(float(value), 1) for value in step.position)
-            _log.info("%.1f s: %s at %s", step.time, step.status.name.lower(), where)
+            why = f": {step.reason.text}" if step.reason.text else ""
+            _log.info("%.1f s: %s at %s%s", step.time, step.status.name.lower(), where, why)
             self._status = step.status
 
     def on_end(self, record: FlightRecord) -> None:

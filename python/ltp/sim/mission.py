@@ -126,11 +126,16 @@ class Mission:
         self.vehicle.step(command, self.setup.config.step)
 
     def _reason(self, step: Step, outcome: Outcome, held: float) -> str:
-        """Why the flight ended as it did, a sentence without its full stop; "" if it got there."""
+        """Why the flight ended as it did, a sentence without its full stop."""
         if outcome is Outcome.COLLIDED:
             return "the true world was touched"
-        if outcome is not Outcome.TIMED_OUT:
+        if outcome is Outcome.NOTHING_REACHED:
             return step.reason.text
+        if outcome is Outcome.REACHED:
+            reached = [event.reached for event in self.planner.events]
+            if all(reached):
+                return "every waypoint was reached"
+            return f"{sum(reached)} of {len(reached)} waypoints were reached, the others dropped"
         if step.status == NavigationStatus.HOLDING:
             since = f" for {held:.0f} s" if held >= self.setup.config.hold_limit else ""
             return f"held{since}: {step.reason.text}"

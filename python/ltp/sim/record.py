@@ -129,7 +129,7 @@ class FlightRecord:
     mean_priority: float  # along the flown path, exact
     length: float  # of the flown path [m]
     metadata: dict[str, Any] = field(default_factory=dict)  # the user's own, JSON values
-    reason: str = ""  # why it ended so, a sentence without its full stop; "" if it got there
+    reason: str = ""  # why it ended so, a sentence without its full stop; "": not recorded
 
     way_points = _old_name("way_points", "waypoints")
     way_point_index = _old_name("way_point_index", "waypoint_index")

@@ -55,8 +55,14 @@ def test_one_waypoint_reached_is_not_nothing() -> None:
     surface[70:100, 50:90] = 60.0
     record = ltp.fly(make_world(surface), small_config(), line((30, 70), (50, 70), (85, 70)))
     assert record.outcome is Outcome.REACHED
-    assert record.reason == ""
+    assert record.reason == "1 of 2 waypoints were reached, the others dropped"
     assert [entry.reason_text != "" for entry in record.waypoints] == [False, True]
+
+
+def test_a_flight_that_got_there_says_so() -> None:
+    record = ltp.fly(make_world(flat()), small_config(), line((30, 70), (40, 70), (50, 70)))
+    assert record.complete
+    assert record.reason == "every waypoint was reached"
 
 
 def test_a_record_without_a_reason_is_read_as_it_was(tmp_path) -> None:
