@@ -138,3 +138,33 @@ def test_a_uav_whose_plan_runs_out_of_budget_holds(name: str) -> None:
 def test_a_wrong_limit_of_the_loop_is_named(limit: str, value: float) -> None:
     with pytest.raises(ValueError, match=rf"^{limit} = "):
         ltp.NavigationOptions(**{limit: value}).check()
+
+
+def test_it_says_why() -> None:
+    reasons = ltp.NavigationReason.__members__
+    assert ltp.NavigationReason.NONE.text == ""
+    assert all(reason.text for name, reason in reasons.items() if name != "NONE")
+    assert [reason.label for reason in reasons.values()] == [name.lower() for name in reasons]
+    with pytest.raises(TypeError, match="no truth value"):
+        bool(ltp.NavigationReason.NONE)
+
+    ring = np.array([(8 * np.cos(t), 8 * np.sin(t), 50.0) for t in np.arange(0, 6.3, 0.1)])
+    settings = {"planner": "ggwp", "map_options": ltp.ObstacleMapOptions(dims=[40, 40, 8])}
+    raster = ltp.Raster(np.zeros((1, 1)))
+    walled = ltp.LocalTrajectoryPlanner(raster, (0, 0, 50), **settings)
+    walled.set_waypoints(np.array([[30.0, 0, 50]]))
+    assert walled.reason == ltp.NavigationReason.UNDECIDED
+    walled.sense((0, 0, 50), ring)
+    assert walled.update((0, 0, 50)) == ltp.NavigationStatus.HOLDING
+    assert walled.reason == ltp.NavigationReason.WALLED_IN
+    walled.clear_map()
+    assert walled.update((0, 0, 50)) == ltp.NavigationStatus.FOLLOWING
+    assert walled.reason == ltp.NavigationReason.NONE
+
+    dropping = ltp.ConcurrentTrajectoryPlanner(raster, (0, 0, 50), **settings)
+    dropping.set_waypoints(np.array([[20.0, 0, 50]]))
+    dropping.sense((0, 0, 50), np.array([[20.0, 0, 50]]))
+    dropping.plan()
+    assert dropping.decision.status == ltp.NavigationStatus.FINISHED
+    assert dropping.decision.reason == ltp.NavigationReason.ALL_DROPPED
+    assert dropping.decision.events[0].why == ltp.NavigationReason.GOAL_BLOCKED
