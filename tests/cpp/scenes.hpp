@@ -109,7 +109,7 @@ inline std::vector<char> reachable(const OccupancyGrid& grid, const Cell& from,
   return seen;
 }
 
-/// The levels that a band touches, by looking at each.
+/// The levels that hold more of a band than a face, by looking at each; and those of both ends.
 inline LevelRange slow_levels(const GridFrame& frame, const Query& query) {
   const double low = std::min(query.start.z(), query.goal.z()) - query.band.below;
   const double high = std::max(query.start.z(), query.goal.z()) + query.band.above;
@@ -118,10 +118,22 @@ inline LevelRange slow_levels(const GridFrame& frame, const Query& query) {
   LevelRange levels{std::min(start, goal), std::max(start, goal)};
   for (int iz = 0; iz < frame.nz(); ++iz) {
     const double floor = frame.centre(Cell(0, 0, iz)).z() - 0.5 * frame.cell().z();
-    if (floor + frame.cell().z() > low && iz < levels.lowest) levels.lowest = iz;
-    if (floor <= high && iz > levels.highest) levels.highest = iz;
+    const double touch = 1e-9 * std::min(1.0, frame.cell().z());
+    if (floor + frame.cell().z() > low + touch && iz < levels.lowest) levels.lowest = iz;
+    if (floor < high - touch && iz > levels.highest) levels.highest = iz;
   }
   return levels;
+}
+
+/// Where a path passes a cell that holds none of its ends: as near to its centre as the band lets
+/// it.
+inline Point slow_vertex(const GridFrame& frame, const Query& query, const Cell& cell) {
+  Point point = frame.centre(cell);
+  const double low = std::min(query.start.z(), query.goal.z()) - query.band.below;
+  const double high = std::max(query.start.z(), query.goal.z()) + query.band.above;
+  if (point.z() < low) point.z() = low;
+  if (point.z() > high) point.z() = high;
+  return point;
 }
 
 /// What a complete planner must answer.

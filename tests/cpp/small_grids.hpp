@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ltp/planning/grid_planner.hpp"
+#include "scenes.hpp"
 
 namespace ltp::test {
 
@@ -59,8 +60,9 @@ void all_simple_paths(const SmallGrid& small, Visitor&& visit, Judge&& hopeless)
   const auto place = [&](const Cell& cell) -> Point {
     if (cell == start) return small.query.start;
     if (cell == goal) return small.query.goal;
-    return frame.centre(cell);
+    return slow_vertex(frame, small.query, cell);
   };
+  const LevelRange levels = slow_levels(frame, small.query);
   struct Edge {
     Cell to;
     PathTally sums;
@@ -68,7 +70,8 @@ void all_simple_paths(const SmallGrid& small, Visitor&& visit, Judge&& hopeless)
   std::vector<std::vector<Edge>> edges(static_cast<std::size_t>(frame.size()));
   for (std::int64_t i = 0; i < frame.size(); ++i) {
     const Cell cell = frame.cell_at(i);
-    const std::uint32_t blocked = blocked_surroundings(small.grid, cell, {0, frame.nz() - 1});
+    if (!levels.contains(cell)) continue;
+    const std::uint32_t blocked = blocked_surroundings(small.grid, cell, levels);
     for (const Step& step : steps()) {
       if ((blocked & step.box) != 0) continue;
       const Cell next = cell + step.offset();

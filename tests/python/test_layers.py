@@ -30,6 +30,7 @@ CPP_FLOORS = [
 PLANNING_FLOORS = [
     {"budget"},
     {"planner"},
+    {"column_scene"},
     {"grid_planner"},
     {"search"},
     {"additive"},
@@ -236,6 +237,7 @@ def test_planning_installs_what_its_users_include_and_no_more() -> None:
     assert {path.name for path in public.iterdir()} == {
         "budget.hpp",
         "planner.hpp",
+        "column_scene.hpp",
         "grid_planner.hpp",
         "planners.hpp",
         "planners",

@@ -5,6 +5,7 @@
 
 #include "bindings.hpp"
 #include "borrowed.hpp"
+#include "ltp/grid/columns.hpp"
 #include "ltp/grid/frame.hpp"
 #include "ltp/grid/occupancy_grid.hpp"
 #include "ltp/grid/raster.hpp"
@@ -159,6 +160,14 @@ void bind_raster(py::module_& m) {
           },
           "a"_a, "b"_a,
           "Exact integral of the field along the segment a-b, (3,) each, over its 3-D length [m].");
+  m.def("onto_columns", &ltp::onto_columns, "raster"_a, "frame"_a,
+        "The raster with one value over each column of a grid: the mean over the column's area. It "
+        "covers the grid and has\n"
+        "the same value outside. Columns that are no squares are several cells of it. Planners do "
+        "so with a priority that is\n"
+        "off their grid's columns (`Plan.priority_resampled`). ValueError where the columns' edges "
+        "have no common part, down\n"
+        "to a sixteenth of the longer one.");
 }
 
 void bind_occupancy(py::module_& m) {

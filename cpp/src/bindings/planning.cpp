@@ -114,8 +114,11 @@ void bind_values(py::module_& m) {
       .result("tally", &ltp::Plan::tally, "length and priority integral of the path")
       .result("penalty", &ltp::Plan::penalty, "Eq. (5); inf unless FOUND")
       .result("bound", &ltp::Plan::bound,
-              "no path through cell centres has a smaller penalty (a refined one may); None "
+              "no path through vertices of cells has a smaller penalty (a refined one may); None "
               "without a proof")
+      .result("priority_resampled", &ltp::Plan::priority_resampled,
+              "the priority was off the grid's columns: planned and tallied over "
+              "`ltp.onto_columns` of it")
       .result("stats", &ltp::Plan::stats, "what the search did")
       .bound()
       .def_readonly("path", &ltp::Plan::path,
@@ -123,6 +126,7 @@ void bind_values(py::module_& m) {
 
   Fields<ltp::Front>(m, "Front", "The paths of which none is both shorter and over better ground.")
       .result("status", &ltp::Front::status, "how it ended")
+      .result("priority_resampled", &ltp::Front::priority_resampled, "as in `Plan`")
       .result("stats", &ltp::Front::stats, "what the search did")
       .bound()
       .def_property_readonly(
@@ -229,7 +233,7 @@ void bind_registry(py::module_& m) {
           "family", [](const Info& info) { return ltp::to_string(info.family); },
           "'paper': of the paper's tables; 'ours'; 'baseline': of other authors, to compare with")
       .result("complete", trait(ltp::Trait::Complete), "its UNREACHABLE proves that no path exists")
-      .result("on_grid", trait(ltp::Trait::OnGrid), "its paths run through cell centres")
+      .result("on_grid", trait(ltp::Trait::OnGrid), "its paths run through vertices of cells")
       .result("anytime", trait(ltp::Trait::Anytime),
               "out of budget, it answers with the best path so far")
       .result("remembers", trait(ltp::Trait::Remembers),

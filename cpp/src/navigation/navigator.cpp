@@ -268,12 +268,13 @@ std::optional<Point> Navigator::target_inside(const MapView& map, const Point& p
   return std::nullopt;
 }
 
-/// The centre of the nearest free cell to which the straight way touches nothing that was hit.
+/// The vertex of the nearest free cell to which the straight way touches nothing that was hit.
 std::optional<Point> Navigator::escape_point(const MapView& map, const Point& position) const {
   const OccupancyGrid& blocked = map.blocked;
   const GridFrame& frame = blocked.frame();
   const Cell own = frame.cell_of(position);
-  const LevelRange levels = levels_of(frame, {position, waypoint(next_), options_.band});
+  const Query query{position, waypoint(next_), options_.band};
+  const LevelRange levels = levels_of(frame, query);
   const Cell reach = (Point::Constant(options_.escape_distance).cwiseQuotient(frame.cell()))
                          .array()
                          .ceil()
@@ -288,7 +289,7 @@ std::optional<Point> Navigator::escape_point(const MapView& map, const Point& po
       for (int level = levels.lowest; level <= levels.highest; ++level) {
         const Cell cell(own.x() + dx, own.y() + dy, level);
         if (!frame.contains(cell) || blocked.blocked(cell)) continue;
-        const Point centre = frame.centre(cell);
+        const Point centre = vertex_of(frame, altitudes_of(query), cell);
         if ((centre - position).norm() >= distance) continue;
         way.row(1) = centre.transpose();
         if (hit_on_escape(map.occupied, way, 0.0, position)) continue;

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "ltp/grid/columns.hpp"
 #include "ltp/planning/planners.hpp"
 #include "scenes.hpp"
 
@@ -162,6 +163,9 @@ TEST_P(PlannerContract, GivesPathsThatLeadFromStartToGoalThroughFreeCellsOnly) {
     ++judged;
     const GridFrame& frame = situation.grid.frame();
     const LevelRange levels = test::slow_levels(frame, situation.query);
+    const Query& query = situation.query;
+    const double low = std::min(query.start.z(), query.goal.z()) - query.band.below;
+    const double high = std::max(query.start.z(), query.goal.z()) + query.band.above;
     ASSERT_GE(plan.path.rows(), 2);
     EXPECT_EQ(plan.path.row(0).transpose(), situation.query.start);
     EXPECT_EQ(plan.path.row(plan.path.rows() - 1).transpose(), situation.query.goal);
@@ -170,6 +174,8 @@ TEST_P(PlannerContract, GivesPathsThatLeadFromStartToGoalThroughFreeCellsOnly) {
       EXPECT_TRUE(frame.contains(cell));
       EXPECT_GE(cell.z(), levels.lowest);
       EXPECT_LE(cell.z(), levels.highest);
+      EXPECT_GE(plan.path(i, 2), low - 1e-9);
+      EXPECT_LE(plan.path(i, 2), high + 1e-9);
     }
     // From centre to centre, not even the faces of a blocked cell are touched. Ends
     // may lie on them, and a curve may have a point there.
@@ -181,6 +187,7 @@ TEST_P(PlannerContract, GivesPathsThatLeadFromStartToGoalThroughFreeCellsOnly) {
 }
 
 TEST_P(PlannerContract, TalliesThePathThatItGives) {
+  int resampled = 0;
   for (const PenaltyWeights& weights : {PenaltyWeights{0.5, 1.0}, {1.0, 0.0}, {0.0, 2.0}}) {
     PlannerOptions options = quick_options();
     options.weights = weights;
@@ -191,20 +198,24 @@ TEST_P(PlannerContract, TalliesThePathThatItGives) {
       SCOPED_TRACE(situation.name);
       const Plan plan = planner->plan(situation.scene(), situation.query);
       if (plan.status != PlanStatus::Found) continue;
-      const PathTally again = tally(plan.path, situation.priority);
+      const Raster priority = plan.priority_resampled
+                                  ? onto_columns(situation.priority, situation.grid.frame())
+                                  : situation.priority;
+      resampled += plan.priority_resampled;
+      const PathTally again = tally(plan.path, priority);
       EXPECT_EQ(plan.tally.length, again.length);
       EXPECT_EQ(plan.tally.priority, again.priority);
       // Eq. (5), written out once more.
       const Query& query = situation.query;
       const double direct = (query.goal - query.start).norm();
       const double ratio = direct > 0.0 ? again.length / direct : 1.0;
-      const double mean = again.length > 0.0
-                              ? again.priority / again.length
-                              : situation.priority.at(query.goal.x(), query.goal.y());
+      const double mean = again.length > 0.0 ? again.priority / again.length
+                                             : priority.at(query.goal.x(), query.goal.y());
       EXPECT_DOUBLE_EQ(plan.penalty, weights.length * ratio - weights.priority * mean);
       EXPECT_GE(again.length, direct * (1 - 1e-12));
     }
   }
+  EXPECT_GT(resampled, 0);
 }
 
 TEST_P(PlannerContract, StaysWhereItIsWhenItIsThere) {
@@ -215,9 +226,24 @@ TEST_P(PlannerContract, StaysWhereItIsWhenItIsThere) {
     const Plan plan = planner->plan(situation.scene(), situation.query);
     if (plan.status != PlanStatus::Found) continue;
     EXPECT_EQ(plan.tally.length, 0.0) << situation.name;
+    ASSERT_EQ(plan.path.rows(), 2) << situation.name;
+    EXPECT_EQ(plan.path.row(0).transpose(), situation.query.start);
+    EXPECT_EQ(plan.path.row(1).transpose(), situation.query.start);
     ++judged;
   }
   EXPECT_GE(judged, 3);
+}
+
+TEST_P(PlannerContract, SaysHowGoodItsPathsAreIfItEverDoes) {
+  const std::unique_ptr<Planner> planner = make();
+  for (const Situation& situation : all_situations()) {
+    const Plan plan = planner->plan(situation.scene(), situation.query);
+    const bool found = plan.status == PlanStatus::Found;
+    EXPECT_EQ(plan.bound.has_value(), found && info_.has(Trait::Bounds)) << situation.name;
+    if (plan.bound) {
+      EXPECT_LE(*plan.bound, plan.penalty) << situation.name;
+    }
+  }
 }
 
 TEST_P(PlannerContract, AnswersTheSameFreshAndUsedAndAgain) {
@@ -230,6 +256,10 @@ TEST_P(PlannerContract, AnswersTheSameFreshAndUsedAndAgain) {
       const Plan fresh = make()->plan(situation.scene(), situation.query);
       EXPECT_EQ(old.status, fresh.status);
       EXPECT_TRUE(same(old, twin->plan(situation.scene(), situation.query)));
+      if (old.bound && fresh.bound) {  // what either proves holds for the other's path
+        EXPECT_LE(*old.bound, fresh.penalty + 1e-12);
+        EXPECT_LE(*fresh.bound, old.penalty + 1e-12);
+      }
       if (info_.has(Trait::Remembers)) continue;
       EXPECT_TRUE(same(old, fresh));
       EXPECT_TRUE(same(old, used->plan(situation.scene(), situation.query)));

@@ -91,7 +91,7 @@ def test_the_planners_are_those_of_the_paper_and_the_new_ones() -> None:
     shape=st.tuples(st.integers(1, 7), st.integers(1, 7), st.integers(1, 5)),
     density=st.sampled_from([0.0, 0.2, 0.4, 0.6]),
     where=st.tuples(*[st.sampled_from([0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 0.999999])] * 6),
-    band=st.sampled_from([(INF, INF), (0.0, 0.0), (0.0, 4.0), (5.0, INF)]),
+    band=st.sampled_from([(INF, INF), (0.0, 0.0), (0.0, 4.0), (1.5, 2.7), (5.0, INF)]),
     seed=st.integers(0, 2**32 - 1),
     refine=st.booleans(),
 )
@@ -112,8 +112,10 @@ def test_random_worlds(
     plan = planner.plan(scene, query)
 
     low, high = sorted((start[2], goal[2]))
-    lowest = max(0, math.floor(max(-1.0, low - band[0]) / CELL[2]))
-    highest = min(shape[2] - 1, math.floor(min(1e6, high + band[1]) / CELL[2]))
+    # A level that the band only touches is not open, unless an end lies in it.
+    lowest = max(0, math.floor(max(-1.0, low - band[0] + 1e-9) / CELL[2]))
+    highest = min(shape[2] - 1, math.floor(min(1e6, high + band[1] - 1e-9) / CELL[2]))
+    lowest, highest = min(lowest, first[2], last[2]), max(highest, first[2], last[2])
     if blocked[last]:
         assert plan.status == PlanStatus.GOAL_BLOCKED
     elif blocked[first]:
@@ -137,6 +139,9 @@ def test_random_worlds(
     cells = np.floor(plan.path / CELL)
     assert (cells >= (0, 0, lowest)).all()
     assert (cells <= np.array((*shape[:2], highest + 1)) - 1).all()
+    assert plan.path[:, 2].min() >= low - band[0] - 1e-9
+    assert plan.path[:, 2].max() <= high + band[1] + 1e-9
+    assert (plan.bound is not None) == TRAITS[name].bounds
     assert not passes_through(blocked, plan.path, shrunk=1e-9)
     again = ltp.tally(
         plan.path, ltp.Raster(np.random.default_rng(seed).random(shape[:2]), cell=2.0)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ltp/grid/neighbourhood.hpp"
+#include "ltp/planning/column_scene.hpp"
 #include "ltp/planning/planner.hpp"
 
 namespace ltp {
@@ -14,8 +15,26 @@ namespace ltp {
 /// Throws `std::invalid_argument` for a point that is not finite or a band below zero.
 void check_query(const Query& query);
 
-/// The levels that a query's band leaves open, clipped to the frame.
+/// The altitudes that a path may have [m].
+struct AltitudeRange {
+  double lowest;
+  double highest;
+
+  /// Whether an altitude is one of them, to within 1e-9 m.
+  bool contains(double z) const;
+};
+
+/// From the lower of a query's ends less what its band allows below, to the higher one and what it
+/// allows above.
+AltitudeRange altitudes_of(const Query& query);
+
+/// The levels that a query's band leaves open, clipped to the frame: those of both ends, and those
+/// that hold more of its altitudes than a touched face.
 LevelRange levels_of(const GridFrame& frame, const Query& query);
+
+/// Where a path passes a cell of a query's levels: the cell's centre, or the altitude nearest to it
+/// that the query allows. It lies in the cell.
+Point vertex_of(const GridFrame& frame, const AltitudeRange& altitudes, const Cell& cell);
 
 /// A query on the cells of a scene's grid, which is borrowed.
 struct Problem {
@@ -27,9 +46,20 @@ struct Problem {
   /// The status that answers it without a search: `OutsideMap`, `GoalBlocked`, `StartBlocked` (in
   /// this order: a blocked goal is a proof even where the start is blocked too).
   std::optional<PlanStatus> refused() const;
-  /// Where a path passes a cell: its centre; but its ends are points, not centres.
+  /// Where a path passes a cell that holds neither of its ends.
+  Point vertex(const Cell& cell) const { return vertex_of(frame(), altitudes, cell); }
+  /// Where a path passes a cell: at its vertex; but its ends are points of their own.
   Point point_of(const Cell& cell) const {
-    return cell == start ? query.start : cell == goal ? query.goal : frame().centre(cell);
+    return cell == start ? query.start : cell == goal ? query.goal : vertex(cell);
+  }
+  /// Whether all vertices of a level lie at its centre's altitude.
+  bool central(int level) const {
+    const Point centre = frame().centre(Cell(0, 0, level));
+    return centre.z() >= altitudes.lowest && centre.z() <= altitudes.highest;
+  }
+  /// Whether neighbouring levels' vertices are all as far apart as cells are high.
+  bool even() const {
+    return levels.count() == 1 || (central(levels.lowest) && central(levels.highest));
   }
   /// Whether the start lies in the goal's cell.
   bool within_a_cell() const { return start == goal; }
@@ -39,17 +69,21 @@ struct Problem {
   PenaltyWeights weights;
   Cell start;
   Cell goal;
+  AltitudeRange altitudes;
   LevelRange levels;
   double direct_length;  ///< L_direct [m]
+  bool column_priority;  ///< one priority holds for each column: what searches see is true
 };
 
-/// The polyline through the centres of a chain of cells, start ... goal, with its ends moved to the
-/// query's.
+/// The polyline through the vertices of a chain of cells, start ... goal, with its ends moved to
+/// the query's; at least two points, also where start and goal are one.
 Path path_through(const Problem& problem, const std::vector<Cell>& chain);
 
-/// A plan with another path: that is checked, stored and tallied, and Eq. (5) evaluated. The check
-/// is an exact walk that shares nothing with the searches: throws `std::logic_error` if the path
-/// touches a blocked cell, leaves the window or its levels, or does not lead from start to goal.
+/// A plan with another path: that is checked, stored and tallied, and Eq. (5) evaluated. Where
+/// start and goal are one the path is that point, twice, whatever is given. The check is an exact
+/// walk that shares nothing with the searches: throws `std::logic_error` if the path touches a
+/// blocked cell, leaves the window, its levels or its altitudes, or does not lead from start to
+/// goal.
 Plan accepted(const Problem& problem, Path path, const Plan& plan = {});
 
 /// What a search says of a problem: the best of the paths that it offers, or why there is none.
@@ -83,7 +117,8 @@ class Answer {
   Plan plan_;
 };
 
-/// Resolves the query, lets `search` answer it unless it is answered already, and takes the time.
+/// Puts the priority on the grid's columns, resolves the query, lets `search` answer it unless it
+/// is answered already, and takes the time.
 class GridPlanner : public Planner {
  public:
   const PlannerInfo& info() const final { return info_; }
@@ -101,6 +136,7 @@ class GridPlanner : public Planner {
 
   PlannerInfo info_;
   PenaltyWeights weights_;
+  ColumnScene seen_;
 };
 
 }  // namespace ltp

@@ -24,7 +24,7 @@ struct Scene {
 
 inline constexpr double kOpen = std::numeric_limits<double>::infinity();
 
-/// How far a path may leave the altitudes between its start and its goal. {0, 0} is planar flight.
+/// How far a path may leave the altitudes of start and goal [m], kept to 1e-9 m. {0, 0}: planar.
 struct AltitudeBand {
   double below = kOpen;  ///< under the lower of both ends [m], >= 0
   double above = kOpen;  ///< over the higher of both ends [m], >= 0
@@ -60,9 +60,12 @@ struct Plan {
   PathTally tally;         ///< length and priority integral of `path`
   double penalty =
       std::numeric_limits<double>::infinity();  ///< Eq. (5) on `tally`; inf unless Found
-  /// No path through the planner's graph (cell centres) has a smaller penalty, where the planner
+  /// No path through the planner's graph (its vertices) has a smaller penalty, where the planner
   /// can prove one. A refined path is not on that graph and may lie below.
   std::optional<double> bound;
+  /// The priority raster was off the grid's columns: the path was planned, and is tallied, over
+  /// `onto_columns` of it.
+  bool priority_resampled = false;
   SearchStats stats;
 };
 
@@ -78,7 +81,7 @@ std::string_view to_string(PlannerFamily family);
 struct Trait {
   enum : unsigned {
     Complete = 1,       ///< its `Unreachable` proves that no path exists
-    OnGrid = 2,         ///< its paths run through cell centres
+    OnGrid = 2,         ///< its paths run through cells' vertices
     Anytime = 4,        ///< out of budget, it answers with the best path so far
     Remembers = 8,      ///< an answer may depend on what was asked before
     UsesPriority = 16,  ///< the priority map shapes its paths

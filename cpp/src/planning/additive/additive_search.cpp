@@ -36,8 +36,8 @@ const std::array<ColumnSteps, 9>& column_steps() {
   return all;
 }
 
-/// By how much a step that changes the level is longer than the same one that does not, at least.
-double min_climb(const std::array<double, kSteps>& lengths) {
+/// By how much a step up from a level is longer than the same one that stays there, at least.
+double min_climb(const LevelLengths::Lengths& lengths) {
   double least = kInfinity;
   for (const ColumnSteps& column : column_steps()) {
     const double level = column.number[1] < 0 ? 0.0 : lengths[column.number[1]];
@@ -91,18 +91,35 @@ bool AdditiveSearch::begin(const Problem& problem, const AdditiveCost& cost, dou
   return true;
 }
 
+/// The last step into the goal may climb a level for next to nothing: the goal is no vertex.
+void AdditiveSearch::set_climbs(const Problem& problem, double metre) {
+  const LevelRange& levels = problem.levels;
+  const int goal = problem.goal.z();
+  lengths_.reset(problem);
+  climbs_.assign(levels.count(), 0.0);
+  const auto climb = [&](int level) -> double& { return climbs_[level - levels.lowest]; };
+  if (problem.even()) {
+    const double one = min_climb(lengths_.from(levels.lowest)) * metre;
+    for (int level = levels.lowest; level <= levels.highest; ++level) {
+      climb(level) = one * std::max(0, std::abs(level - goal) - 1);
+    }
+    return;
+  }
+  for (int level = goal + 2; level <= levels.highest; ++level) {
+    climb(level) = climb(level - 1) + min_climb(lengths_.from(level - 1)) * metre;
+  }
+  for (int level = goal - 2; level >= levels.lowest; --level) {
+    climb(level) = climb(level + 1) + min_climb(lengths_.from(level)) * metre;
+  }
+}
+
 /// The status, and with it the least cost: of the path found, or of all paths if out of budget.
 std::pair<PlanStatus, double> AdditiveSearch::search(const Problem& problem,
                                                      const AdditiveCost& cost, BudgetWatch& budget,
                                                      SearchStats& stats) {
-  const std::array<double, kSteps> lengths = step_lengths(problem.frame().cell());
-  // The last step into the goal may climb a level for next to nothing: the goal is no centre.
-  const double climb =
-      min_climb(lengths) *
-      std::max(0.0, cost.length - cost.priority * std::max(problem.scene.priority.maximum(), 0.0));
-  const auto height = [&](int level) {
-    return climb * std::max(0, std::abs(level - problem.goal.z()) - 1);
-  };
+  const double most = std::max(problem.scene.priority.maximum(), 0.0);
+  set_climbs(problem, std::max(0.0, cost.length - cost.priority * most));
+  const int lowest = problem.levels.lowest;
   const std::uint32_t start = space_.index(problem.start);
   const std::uint32_t goal = space_.index(problem.goal);
   Node& goal_node = space_.visit(goal);
@@ -116,6 +133,7 @@ std::pair<PlanStatus, double> AdditiveSearch::search(const Problem& problem,
     if (proof_.after_expansion(problem)) break;
     const Cell cell = space_.cell(index);
     const double here = field_.half_metre(cell.x(), cell.y());
+    const LevelLengths::Lengths& lengths = lengths_.from(cell.z());
     const std::uint32_t blocked = blocked_surroundings(problem.grid(), cell, problem.levels);
     for (const ColumnSteps& column : column_steps()) {
       const int jx = cell.x() + column.dx;
@@ -138,7 +156,8 @@ std::pair<PlanStatus, double> AdditiveSearch::search(const Problem& problem,
                               : lengths[number] * metre);
         Node& other = space_.visit(next_index);
         if (other.from_start >= 0 && total >= other.cost) continue;
-        const double value = total + (next_index == goal ? 0.0 : ground + height(next.z()));
+        const double value =
+            total + (next_index == goal ? 0.0 : ground + climbs_[next.z() - lowest]);
         if (value >= goal_node.cost) continue;
         other.cost = total;
         other.from_start = number;

@@ -10,6 +10,7 @@
 #include "ltp/planning/grid_planner.hpp"
 #include "planning/additive/column_costs.hpp"
 #include "planning/search/bucket_queue.hpp"
+#include "planning/search/level_lengths.hpp"
 #include "planning/search/search_space.hpp"
 #include "planning/search/unreachable_proof.hpp"
 
@@ -47,9 +48,12 @@ class AdditiveSearch {
   };
 
   bool begin(const Problem& problem, const AdditiveCost& cost, double longest);
+  void set_climbs(const Problem& problem, double metre);
   std::pair<PlanStatus, double> search(const Problem& problem, const AdditiveCost& cost,
                                        BudgetWatch& budget, SearchStats& stats);
 
+  LevelLengths lengths_;
+  std::vector<double> climbs_;  ///< the least that a change of height adds, by level
   SearchSpace<Node> space_;
   BucketQueue open_;
   ColumnCosts field_;

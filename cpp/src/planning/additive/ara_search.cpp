@@ -19,7 +19,7 @@ void AraSearch::begin(const Problem& problem, const AdditiveCost& cost, SearchSt
   const GridFrame& frame = problem.frame();
   problem_ = &problem;
   cost_ = cost;
-  lengths_ = step_lengths(frame.cell());
+  lengths_.reset(problem);
   round_ = 0;
   weight_ = 1.0;
   least_ = 0.0;
@@ -111,7 +111,7 @@ void AraSearch::expand(std::uint32_t index, SearchStats& stats) {
     const Cell next = cell + step.offset();
     const std::uint32_t next_index = space_.index(next);
     Node& other = space_.visit(next_index);
-    const double total = node.cost + step_cost(cell, next, lengths_[i]);
+    const double total = node.cost + step_cost(cell, next, lengths_.from(cell.z())[i]);
     if (total >= other.cost) continue;
     const double h = heuristic(next);
     if (h == std::numeric_limits<double>::infinity()) continue;  // walled in over all levels

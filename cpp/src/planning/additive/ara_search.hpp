@@ -10,6 +10,7 @@
 
 #include "ltp/planning/grid_planner.hpp"
 #include "planning/additive/column_costs.hpp"
+#include "planning/search/level_lengths.hpp"
 #include "planning/search/open_list.hpp"
 #include "planning/search/search_space.hpp"
 #include "planning/search/unreachable_proof.hpp"
@@ -52,7 +53,7 @@ class AraSearch {
 
   const Problem* problem_ = nullptr;
   AdditiveCost cost_;
-  std::array<double, kSteps> lengths_{};
+  LevelLengths lengths_;
   double weight_ = 1.0;
   double least_ = 0.0;
   std::int32_t round_ = 0;

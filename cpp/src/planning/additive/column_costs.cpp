@@ -22,8 +22,8 @@ std::array<double, 9> last_steps(const Problem& problem, const AdditiveCost& cos
       for (int dz = -1; dz <= 1; ++dz) {
         const Cell from = problem.goal + Cell(dx, dy, dz);
         if (from == problem.goal || !problem.levels.contains(from)) continue;
-        mine = std::min(mine, cost.along(problem.scene.priority, problem.frame().centre(from),
-                                         problem.query.goal));
+        mine = std::min(
+            mine, cost.along(problem.scene.priority, problem.vertex(from), problem.query.goal));
       }
     }
   }

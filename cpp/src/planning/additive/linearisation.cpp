@@ -25,11 +25,4 @@ double first_alpha(const PenaltyBound& bound, double direct_length, double max_p
   return std::max({likely, kLeastFirst * max_priority, bound.min_alpha()});
 }
 
-bool aligned(const GridFrame& frame, const Raster& raster) {
-  if (frame.cell().x() != raster.cell() || frame.cell().y() != raster.cell()) return false;
-  const Eigen::Array2d offset =
-      (frame.origin().head<2>() - raster.origin()).array() / raster.cell();
-  return ((offset - offset.round()).abs() < 1e-9).all();
-}
-
 }  // namespace ltp::planning

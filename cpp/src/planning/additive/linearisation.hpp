@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ltp authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where Eq. (5) is first linearised, and over which rasters a bound drawn from that holds.
+// Where Eq. (5) is first linearised.
 #pragma once
 
-#include "ltp/grid/frame.hpp"
-#include "ltp/grid/raster.hpp"
 #include "planning/additive/penalty_bound.hpp"
 
 namespace ltp::planning {
@@ -15,9 +13,5 @@ namespace ltp::planning {
 /// @param max_priority  the largest priority anywhere, >= 0
 double first_alpha(const PenaltyBound& bound, double direct_length, double max_priority,
                    double fixed);
-
-/// Whether the raster's cells are the grid's columns; only then does a search see each path's true
-/// priority.
-bool aligned(const GridFrame& frame, const Raster& raster);
 
 }  // namespace ltp::planning

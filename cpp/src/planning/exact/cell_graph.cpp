@@ -43,7 +43,8 @@ void CellGraph::build(const Problem& problem, const StepCosts& costs,
       const std::uint32_t to = number_[index(cells[i] + step.offset())];
       if (to == kNone) continue;
       Edge edge{to, static_cast<std::uint32_t>(k)};
-      if (i == start_ || i == goal_ || to == start_ || to == goal_) {
+      if (i == start_ || i == goal_ || to == start_ || to == goal_ ||
+          !costs.on_lattice(cells[i], k)) {
         edge.step = static_cast<std::uint32_t>(kSteps + ends_.size());
         ends_.push_back(costs(cells[i], k));
       }
@@ -57,7 +58,7 @@ void CellGraph::build(const Problem& problem, const StepCosts& costs,
 
 std::size_t CellGraph::bytes() const {
   return cells_.size() * (sizeof(Cell) + sizeof(double) + sizeof(std::uint32_t)) +
-         edges_.size() * sizeof(Edge);
+         edges_.size() * sizeof(Edge) + ends_.size() * sizeof(StepCost);
 }
 
 StepCost CellGraph::along(const std::vector<std::uint32_t>& chain) const {

@@ -17,7 +17,7 @@ class CellGraph {
  public:
   struct Edge {
     std::uint32_t to;
-    std::uint32_t step;  ///< its number, of 26; from `kSteps` on: one at an end of the path
+    std::uint32_t step;  ///< its number, of 26; from `kSteps` on: one whose cost is its own
   };
 
   /// @param cells   start and goal among them, none twice

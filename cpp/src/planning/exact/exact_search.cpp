@@ -94,7 +94,7 @@ PlanStatus ExactSearch::improve(const Problem& problem, const Limits& limits, An
   for (const std::uint32_t node : incumbent.chain) chain.push_back(graph_.cell(node));
   // Where the raster's cells are not the grid's columns, the first path may by chance be better.
   answer.offer(chain);
-  if (aligned(frame, problem.scene.priority)) {
+  if (problem.column_priority) {
     const double value = labels_.proved() - weights.priority * costs_.max_priority();
     proved_ = std::min(answer.plan().penalty, value - kReserve * (1.0 + std::abs(value)));
   }

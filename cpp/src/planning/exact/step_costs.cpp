@@ -13,7 +13,9 @@ void StepCosts::reset(const Problem& problem, double longest) {
   start_cell_ = problem.start;
   goal_cell_ = problem.goal;
   priority_.reset(frame, problem.scene.priority);
-  lengths_ = step_lengths(frame.cell());
+  level_lengths_.reset(problem);
+  lattice_ = step_lengths(frame.cell());
+  lengths_ = lattice_;
   max_priority_ = priority_(0, 0);
   double least_priority = max_priority_;
   for (int ix = 0; ix < frame.nx(); ++ix) {
@@ -57,7 +59,8 @@ StepCost StepCosts::operator()(const Cell& from, int step) const {
   if (to == start_cell_) return from_start_[by.opposite];
   if (from == goal_cell_) return from_goal_[step];
   if (to == goal_cell_) return from_goal_[by.opposite];
-  return between(lengths_[step], priority_(from.x(), from.y()), priority_(to.x(), to.y()));
+  return between(level_lengths_.from(from.z())[step], priority_(from.x(), from.y()),
+                 priority_(to.x(), to.y()));
 }
 
 StepCost StepCosts::along(const std::vector<Cell>& chain) const {

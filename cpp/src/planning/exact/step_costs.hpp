@@ -8,6 +8,7 @@
 
 #include "ltp/planning/grid_planner.hpp"
 #include "planning/search/column_priority.hpp"
+#include "planning/search/level_lengths.hpp"
 
 namespace ltp::planning {
 
@@ -46,7 +47,12 @@ class StepCosts {
   double unit() const { return unit_; }
   /// p_max, the largest mean priority of any step.
   double max_priority() const { return max_priority_; }
+  /// Of the steps on the lattice.
   const std::array<double, kSteps>& lengths() const { return lengths_; }
+  /// Whether a step between two vertices is as long as on the lattice.
+  bool on_lattice(const Cell& from, int step) const {
+    return level_lengths_.from(from.z())[step] == lattice_[step];
+  }
 
  private:
   double rounded(double value) const { return (value + magic_) - magic_; }
@@ -57,7 +63,9 @@ class StepCosts {
   double max_priority_ = 0.0;
   double unit_ = 0.0;
   double magic_ = 0.0;
-  std::array<double, kSteps> lengths_{};
+  LevelLengths level_lengths_;
+  std::array<double, kSteps> lattice_{};  ///< lengths on the lattice
+  std::array<double, kSteps> lengths_{};  ///< the same, rounded
   std::array<StepCost, kSteps> from_start_{};
   std::array<StepCost, kSteps> from_goal_{};
 };

@@ -40,7 +40,7 @@ class AraStarPlanner final : public GridPlanner {
         answer.prove(answer.plan().penalty);
       } else if (only_length) {  // the least cost is a length
         answer.prove(Penalty(weights(), problem.direct_length)(search_.least(), 0.0));
-      } else if (aligned(problem.frame(), problem.scene.priority)) {
+      } else if (problem.column_priority) {
         PenaltyBound bound(weights(), problem.direct_length, most);
         bound.add(cost.length, search_.least());
         answer.prove(bound.lowest().value);

@@ -25,6 +25,14 @@ LinearisedOptions seed(LinearisedOptions options) {
   return options;
 }
 
+/// What is exact for one priority a column would not be so for the given raster.
+void check_priority(const Problem& problem) {
+  if (problem.column_priority || problem.weights.priority == 0.0) return;
+  check::fail("priority", "a raster off the grid's columns",
+              "for an exact plan: one on them, or columns whose x and y edges are at most 16 times "
+              "one common edge, so that it can be resampled");
+}
+
 class ExactPlanner final : public GridPlanner {
  public:
   ExactPlanner(const PlannerInfo& info, const PenaltyWeights& weights, const ExactOptions& options,
@@ -35,6 +43,7 @@ class ExactPlanner final : public GridPlanner {
 
  private:
   void search(const Problem& problem, Answer& answer) override {
+    check_priority(problem);
     answer.take_over(sweep_->plan(problem.scene, problem.query, answer.budget.rest()));
     const Plan& plan = answer.plan();
     if (!answer.found() || (plan.bound && *plan.bound == plan.penalty)) return;
@@ -107,8 +116,12 @@ Front pareto_front(const Scene& scene, const Query& query, const ExactOptions& o
   options.check();
   BudgetWatch watch(budget);
   const Stopwatch stopwatch;
-  const Problem problem(scene, query, {});
+  check_query(query);
+  ColumnScene seen;
+  const Problem problem(seen.of(scene), query, {});
+  planning::check_priority(problem);
   Front front;
+  front.priority_resampled = seen.resampled();
   std::vector<std::vector<Cell>> chains;
   const std::optional<PlanStatus> refused = problem.refused();
   front.status =

@@ -9,9 +9,10 @@
 #include "ltp/geometry/check.hpp"
 #include "ltp/planning/grid_planner.hpp"
 #include "planning/search/column_priority.hpp"
-#include "planning/search/distance_field.hpp"
 #include "planning/search/lazy_open_list.hpp"
+#include "planning/search/level_lengths.hpp"
 #include "planning/search/search_space.hpp"
+#include "planning/search/shortest_path.hpp"
 #include "planning/search/trace.hpp"
 
 namespace ltp {
@@ -35,11 +36,14 @@ class LengthPriorityPlanner final : public GridPlanner {
   };
 
   void search(const Problem& problem, Answer& answer) override {
-    if (options_.heuristic_weight == 0.0 && weights().priority == 0.0) {
-      const PlanStatus status = field_.run(problem.grid(), problem.goal, problem.levels,
-                                           answer.budget, answer.stats, problem.start);
+    if (options_.heuristic_weight <= 1.0 && weights().priority == 0.0) {
+      if (problem.within_a_cell()) {
+        answer.offer(std::vector<Cell>{problem.start});
+        return;
+      }
+      const PlanStatus status = shortest_.run(problem, answer.budget, answer.stats);
       if (status != PlanStatus::Found) return answer.end(status);
-      answer.offer(field_.chain_from(problem.start));
+      answer.offer(shortest_.chain());
     } else {
       const PlanStatus status = best_first(problem, answer.budget, answer.stats);
       if (status != PlanStatus::Found) return answer.end(status);
@@ -54,7 +58,7 @@ class LengthPriorityPlanner final : public GridPlanner {
   /// The paper's search.
   PlanStatus best_first(const Problem& problem, BudgetWatch& budget, SearchStats& stats) {
     const GridFrame& frame = problem.frame();
-    const std::array<double, kSteps> lengths = step_lengths(frame.cell());
+    lengths_.reset(problem);
     const Penalty penalty(weights(), problem.direct_length);
     priority_.reset(frame, problem.scene.priority);
     space_.begin(frame, problem.levels);
@@ -67,7 +71,8 @@ class LengthPriorityPlanner final : public GridPlanner {
                                  ? options_.heuristic_weight * scale / problem.direct_length
                                  : 0.0;
     const auto heuristic = [&](const Cell& cell) {
-      return per_metre > 0.0 ? per_metre * (frame.centre(cell) - problem.query.start).norm() : 0.0;
+      return per_metre > 0.0 ? per_metre * (problem.vertex(cell) - problem.query.start).norm()
+                             : 0.0;
     };
     // Eq. (8): the penalty of the path from a cell to the goal.
     const double goal_priority = priority_(problem.goal.x(), problem.goal.y());
@@ -98,6 +103,7 @@ class LengthPriorityPlanner final : public GridPlanner {
 
       const Cell cell = space_.cell(index);
       const double here = priority_(cell.x(), cell.y());
+      const LevelLengths::Lengths& lengths = lengths_.from(cell.z());
       const std::uint32_t blocked = blocked_surroundings(problem.grid(), cell, problem.levels);
       for (int i = 0; i < kSteps; ++i) {
         const Step& step = steps()[i];
@@ -124,7 +130,8 @@ class LengthPriorityPlanner final : public GridPlanner {
   }
 
   LengthPriorityOptions options_;
-  DistanceField field_;
+  ShortestPath shortest_;
+  LevelLengths lengths_;
   SearchSpace<Node> space_;
   LazyOpenList open_;
   ColumnPriority priority_;

@@ -132,7 +132,7 @@ bool LinearisedPlanner::search_once(const Problem& problem, Answer& answer, Prog
     progress.tried.push_back(progress.alpha);
   }
   progress.lowest = progress.bound.lowest();
-  if (aligned(problem.frame(), problem.scene.priority)) answer.prove(progress.lowest.value);
+  if (problem.column_priority) answer.prove(progress.lowest.value);
   return result.status == PlanStatus::Found;
 }
 
@@ -166,7 +166,7 @@ bool LinearisedPlanner::choose_next(const Problem& problem, const Answer& answer
 double LinearisedPlanner::narrow(const Problem& problem, double penalty, PenaltyBound& bound) {
   const GridFrame& frame = problem.frame();
   // Steps see more of a finer raster than the columns' centres: there only its maximum is safe.
-  if (!aligned(frame, problem.scene.priority)) return kInfinity;
+  if (!problem.column_priority) return kInfinity;
   priority_.reset(frame, problem.scene.priority);
   // Between two centres a step may touch the columns beside it.
   const double margin = 4.0 * frame.cell().head<2>().norm();

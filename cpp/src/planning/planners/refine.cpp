@@ -41,7 +41,7 @@ Refiner::Refiner(const PenaltyWeights& weights) : weights_(weights) { weights.ch
 
 Path Refiner::refine(const Problem& problem, const Path& path) {
   if (path.rows() < 3 || !(problem.direct_length > 0.0)) return path;
-  const Sight sight(problem.grid(), problem.levels, problem.scene.priority);
+  const Sight sight(problem.grid(), problem.levels, problem.scene.priority, problem.altitudes);
   eq5_.emplace(weights_, problem.direct_length);
   cell_ = problem.frame().cell();
   if (!load(sight, path)) return path;
@@ -63,6 +63,7 @@ bool Refiner::exact(const Problem& problem, const Path& refined, const Path& pat
   for (Eigen::Index i = 0; i < refined.rows(); ++i) {
     const Cell cell = frame.cell_of(refined.row(i).transpose());
     if (!frame.contains(cell) || !problem.levels.contains(cell)) return false;
+    if (!problem.altitudes.contains(refined(i, 2))) return false;
   }
   const PathTally old = tally(path, problem.scene.priority);
   const PathTally now = tally(refined, problem.scene.priority);
@@ -296,10 +297,13 @@ class RefinedPlanner final : public Planner {
 
   const PlannerInfo& info() const override { return planner_->info(); }
   Plan plan(const Scene& scene, const Query& query, const Budget& budget) override {
-    Plan plan = planner_->plan(scene, query, budget);
+    check_query(query);
+    const Scene seen = seen_.of(scene);
+    Plan plan = planner_->plan(seen, query, budget);
+    plan.priority_resampled = seen_.resampled();
     if (plan.status != PlanStatus::Found) return plan;
     const Stopwatch stopwatch;
-    const Problem problem(scene, query, weights_);
+    const Problem problem(seen, query, weights_);
     plan = accepted(problem, refiner_.refine(problem, plan.path), plan);
     plan.stats.seconds += stopwatch.seconds();
     return plan;
@@ -309,6 +313,7 @@ class RefinedPlanner final : public Planner {
   std::unique_ptr<Planner> planner_;
   PenaltyWeights weights_;
   Refiner refiner_;
+  ColumnScene seen_;
 };
 
 }  // namespace

@@ -33,6 +33,7 @@ bool CurvePlanner::clear(const Problem& problem, const PathRef& curve) {
   for (Eigen::Index i = 0; i < curve.rows(); ++i) {
     const Cell cell = problem.frame().cell_of(curve.row(i).transpose());
     if (!problem.frame().contains(cell) || !problem.levels.contains(cell)) return false;
+    if (!problem.altitudes.contains(curve(i, 2))) return false;
   }
   return !problem.grid().first_blocked(curve);
 }

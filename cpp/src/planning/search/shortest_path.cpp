@@ -45,16 +45,17 @@ void ShortestPath::prepare(const Problem& problem, double longest) {
   units_ = LengthUnits(longest);
   const std::array<std::uint64_t, kSteps> lengths = units_.of_steps(frame.cell());
   if (!natural_ || natural_->lengths() != lengths) natural_.emplace(lengths);
+  prepare_levels(problem);
   for (int i = 0; i < kSteps; ++i) {
     const Cell by = steps()[i].offset();
     from_goal_[i] = units_((problem.point_of(problem.goal + by) - problem.query.goal).norm());
     const Cell last = problem.start + by;
     // To the heuristic, which knows no ends but the start, the goal's cell is one like any other.
-    into_start_[neighbour_bit(by)] = problem.levels.contains(last)
-                                         ? units_((problem.query.start - frame.centre(last)).norm())
-                                         : OctileDistance::kNoStep;
+    into_start_[neighbour_bit(by)] =
+        problem.levels.contains(last) ? units_((problem.query.start - problem.vertex(last)).norm())
+                                      : OctileDistance::kNoStep;
   }
-  to_start_.aim(problem.start, lengths, into_start_);
+  to_start_.aim(problem.start, least_, into_start_);
   space_.begin(frame, problem.levels);
 
   const auto ends = std::minmax_element(lengths.begin(), lengths.end());
@@ -73,6 +74,29 @@ void ShortestPath::prepare(const Problem& problem, double longest) {
   waiting_ = 0;
 }
 
+/// Where vertices keep to a band that ends within a level, steps up and down from there have
+/// lengths of their own. The heuristic takes all levels to be as near as the two nearest.
+void ShortestPath::prepare_levels(const Problem& problem) {
+  least_ = natural_->lengths();
+  by_level_.clear();
+  if (problem.even()) return;
+  const LevelRange& levels = problem.levels;
+  level_lengths_.reset(problem);
+  double rise = problem.frame().cell().z();
+  for (int level = levels.lowest; level <= levels.highest; ++level) {
+    ByLevel& row = by_level_.emplace_back(ByLevel{least_, true});
+    row.even = LevelLengths::is_even_at(problem, level);
+    if (level < levels.highest) {
+      rise = std::min(rise, level_lengths_.from(level)[step_by(Cell::UnitZ())]);
+    }
+    if (row.even) continue;
+    const LevelLengths::Lengths& metres = level_lengths_.from(level);
+    std::transform(metres.begin(), metres.end(), row.lengths.begin(), units_);
+  }
+  const Point& cell = problem.frame().cell();
+  least_ = units_.of_steps(Point(cell.x(), cell.y(), rise));
+}
+
 void ShortestPath::push(const Entry& entry) {
   const std::uint64_t number = std::max(entry.estimate >> shift_, now_);
   ring_[number].push_back(entry);
@@ -81,7 +105,6 @@ void ShortestPath::push(const Entry& entry) {
 
 /// `NoneFound`: lengths grew too long for their units.
 PlanStatus ShortestPath::search(const Problem& problem, BudgetWatch& budget, SearchStats& stats) {
-  const std::array<std::uint64_t, kSteps>& lengths = natural_->lengths();
   const std::uint32_t start = space_.index(problem.start);
   std::uint64_t best = LengthUnits::kMost;
   bool too_long = false;
@@ -134,7 +157,12 @@ PlanStatus ShortestPath::search(const Problem& problem, BudgetWatch& budget, Sea
     const int tag = static_cast<int>(entry.label & ((1u << kTagBits) - 1));
     const std::uint64_t length = entry.label >> kTagBits;
     // What a step at either end costs is no matter of the lattice: it dominates no other.
-    std::uint32_t left = natural_->after(tag < kSteps ? tag : NaturalSteps::kRoot, blocked);
+    const ByLevel* const level =
+        by_level_.empty() ? nullptr : &by_level_[cell.z() - problem.levels.lowest];
+    const bool even = level == nullptr || level->even;
+    const std::array<std::uint64_t, kSteps>& lengths = even ? natural_->lengths() : level->lengths;
+    // Ways round a cell are compared by the lattice's lengths.
+    std::uint32_t left = natural_->after(even && tag < kSteps ? tag : NaturalSteps::kRoot, blocked);
     const Cell by = problem.start - cell;
     if (by.cwiseAbs().maxCoeff() == 1) {
       const int last = step_by(by);

@@ -11,6 +11,7 @@
 #include "ltp/planning/grid_planner.hpp"
 #include "planning/search/bucket_ring.hpp"
 #include "planning/search/length_units.hpp"
+#include "planning/search/level_lengths.hpp"
 #include "planning/search/natural_steps.hpp"
 #include "planning/search/octile_distance.hpp"
 #include "planning/search/search_space.hpp"
@@ -49,12 +50,22 @@ class ShortestPath {
     Cell cell;
   };
 
+  /// Lengths of the steps from the cells of a level.
+  struct ByLevel {
+    std::array<std::uint64_t, kSteps> lengths;
+    bool even;  ///< they are the lattice's, and so are those between the levels beside
+  };
+
   void prepare(const Problem& problem, double longest);
+  void prepare_levels(const Problem& problem);
   PlanStatus search(const Problem& problem, BudgetWatch& budget, SearchStats& stats);
   void push(const Entry& entry);
 
   LengthUnits units_{1.0};
   std::optional<NaturalSteps> natural_;
+  LevelLengths level_lengths_;
+  std::vector<ByLevel> by_level_;  ///< from the lowest; none where all are the lattice's
+  std::array<std::uint64_t, kSteps> least_{};  ///< no step is shorter
   OctileDistance to_start_;
   std::array<std::uint64_t, kSteps> from_goal_{};  ///< lengths of the first steps
   std::array<std::uint64_t, 27> into_start_{};     ///< of the last, by `neighbour_bit`

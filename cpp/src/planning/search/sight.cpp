@@ -25,13 +25,23 @@ int index_of(double coordinate, int count) {
 
 }  // namespace
 
-Sight::Sight(const OccupancyGrid& grid, const LevelRange& levels, const Raster& priority)
+Sight::Sight(const OccupancyGrid& grid, const LevelRange& levels, const Raster& priority,
+             const AltitudeRange& altitudes)
     : grid_(grid),
       priority_(priority),
       origin_(grid.frame().origin()),
       per_metre_(grid.frame().cell().cwiseInverse()),
       lowest_(0.0, 0.0, levels.lowest),
-      highest_(grid.frame().nx(), grid.frame().ny(), levels.highest + 1.0) {}
+      highest_(grid.frame().nx(), grid.frame().ny(), levels.highest + 1.0) {
+  const double low = cells(Point(0.0, 0.0, altitudes.lowest)).z();
+  const double high = cells(Point(0.0, 0.0, altitudes.highest)).z();
+  // An end may lie on its level's floor, and the whole path with it.
+  const bool from_its_floor = low >= lowest_.z();
+  lowest_.array() += kEdge;
+  highest_.array() -= kEdge;
+  lowest_.z() = from_its_floor ? low : lowest_.z();
+  highest_.z() = std::min(high, highest_.z());
+}
 
 /// Whether the levels `low` to `high` of a column in the window are free.
 bool Sight::free(int ix, int iy, int low, int high) const {
@@ -63,7 +73,7 @@ bool Sight::box_free(const Point& low, const Point& high) const {
 
 bool Sight::inside(const Point& point) const {
   const Point at = cells(point);
-  return ((at - lowest_).array() > kEdge).all() && ((highest_ - at).array() > kEdge).all();
+  return (at.array() >= lowest_.array()).all() && (at.array() <= highest_.array()).all();
 }
 
 bool Sight::clear(const Point& a, const Point& b, double margin_a, double margin_b) const {

@@ -7,6 +7,7 @@
 #include "ltp/grid/neighbourhood.hpp"
 #include "ltp/grid/occupancy_grid.hpp"
 #include "ltp/grid/raster.hpp"
+#include "ltp/planning/grid_planner.hpp"
 
 namespace ltp::planning {
 
@@ -17,7 +18,8 @@ namespace ltp::planning {
 class Sight {
  public:
   /// Reads grid and raster as long as it is used.
-  Sight(const OccupancyGrid& grid, const LevelRange& levels, const Raster& priority);
+  Sight(const OccupancyGrid& grid, const LevelRange& levels, const Raster& priority,
+        const AltitudeRange& altitudes = {-kOpen, kOpen});
 
   /// Whether the box [-margin, margin]^3 [cells, < 0.5], moved from `a` to `b` [world, m] while its
   /// margin changes evenly from `margin_a` to `margin_b`, meets no blocked cell. Cells outside the
@@ -28,7 +30,8 @@ class Sight {
     return clear(point, point, margin, margin);
   }
 
-  /// Whether a point lies in the window and its levels, safely by more than rounding.
+  /// Whether a point lies in the window, its levels and its altitudes, the former safely by more
+  /// than rounding.
   bool inside(const Point& point) const;
 
   /// The integral of the priority along a-b, as `Raster::integral` [m].
@@ -43,7 +46,7 @@ class Sight {
   const Raster& priority_;
   Point origin_;     ///< of the window [m]
   Point per_metre_;  ///< cells per metre along each axis
-  Point lowest_;     ///< corners of what is open: the window between the levels [cells]
+  Point lowest_;     ///< corners of what is open: the window between the altitudes [cells]
   Point highest_;
 };
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "scenes.hpp"
 #include "slow_distances.hpp"
 
 namespace ltp::planning {
@@ -24,9 +25,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 double slow_cost(const Problem& problem, const AdditiveCost& cost) {
   const GridFrame& frame = problem.frame();
   const Raster& priority = problem.scene.priority;
+  const auto vertex = [&](const Cell& cell) {
+    return test::slow_vertex(frame, problem.query, cell);
+  };
   const auto step_cost = [&](const Cell& from, const Cell& to) {
-    const Point a = from == problem.start ? problem.query.start : frame.centre(from);
-    const Point b = to == problem.goal ? problem.query.goal : frame.centre(to);
+    const Point a = from == problem.start ? problem.query.start : vertex(from);
+    const Point b = to == problem.goal ? problem.query.goal : vertex(to);
     if (from == problem.start || to == problem.goal) {
       return cost((b - a).norm(), priority.integral(a, b));
     }

@@ -8,11 +8,15 @@
 
 #include <limits>
 #include <random>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "budgets.hpp"
+#include "ltp/grid/columns.hpp"
 #include "ltp/planning/grid_planner.hpp"
 #include "ltp/planning/planners.hpp"
+#include "ltp/planning/planners/exact.hpp"
 #include "planning/additive/additive_search.hpp"
 #include "small_grids.hpp"
 
@@ -103,6 +107,25 @@ TEST(Linearised, TheBoundIsNeverAboveTheExactOptimum) {
   EXPECT_LT(sweep_gap, additive_gap);
 }
 
+TEST(Linearised, EndsSoonWhereItLooksAtSomeOfTheGroundOnly) {
+  // Steps over ground that was narrowed away wrongly would cost less than nothing, without end.
+  std::mt19937_64 random(6);
+  int found = 0;
+  for (int i = 0; i < 600; ++i) {
+    const Instance instance = test::random_small_grid(random, {9, 9, 1 + i % 2}, 0.1);
+    PlannerOptions options;
+    options.weights = {0.5, i % 3 == 0 ? 0.5 : i % 3 == 1 ? 1.5 : 5.0};
+    options.linearised.tolerance = 0.0;
+    options.linearised.closing = 0;
+    const std::int64_t most = 4 * options.linearised.searches * instance.grid.frame().size();
+    const Scene scene{instance.grid, instance.priority};
+    const Plan plan = make_planner("sweep", options)->plan(scene, instance.query, {most});
+    EXPECT_LT(plan.stats.expanded, most) << "instance " << i;
+    found += plan.status == PlanStatus::Found;
+  }
+  EXPECT_GT(found, 400);
+}
+
 TEST(Linearised, ASweepThatEndsContentIsWithinItsTolerance) {
   std::mt19937_64 random(4);
   int closed = 0;
@@ -123,28 +146,52 @@ TEST(Linearised, ASweepThatEndsContentIsWithinItsTolerance) {
   EXPECT_GT(closed, 50);
 }
 
-TEST(Linearised, ClaimsNoBoundOverARasterThatIsNotTheGridsColumns) {
+TEST(Linearised, BoundsWhatItReportsOverARasterThatIsNotTheGridsColumns) {
   std::mt19937_64 random(5);
   int found = 0;
   for (int i = 0; i < 40; ++i) {
     Instance instance = test::random_small_grid(random, i % 2 ? kPlanar : kSpace);
-    const GridFrame& frame = instance.grid.frame();
-    const Cell start = frame.cell_of(instance.query.start);
-    if (start == frame.cell_of(instance.query.goal)) continue;  // one path, and it is known
     const Raster& columns = instance.priority;
     const double shift = i % 3 == 0 ? 1.0 : 0.0;
     const double cell = i % 3 == 1 ? 1.0 : i % 3 == 2 ? 4.0 : 2.0;
-    instance.priority = Raster(columns.values(), {shift, 0.0}, cell);
+    const Raster given(columns.values(), {shift, 0.0}, cell);
+    instance.priority = onto_columns(given, instance.grid.frame());
     PlannerOptions options;
     options.weights = {0.5, 1.0};
-    for (const char* name : {"additive", "sweep"}) {
-      const Plan plan =
-          make_planner(name, options)->plan({instance.grid, instance.priority}, instance.query);
-      EXPECT_FALSE(plan.bound.has_value()) << name << ", grid " << i;
-      found += plan.status == PlanStatus::Found;
+    const double optimum = test::exact_optimum(instance, options.weights);
+    for (const char* name : {"additive", "sweep", "auto", "ara-star", "exact"}) {
+      SCOPED_TRACE(std::string(name) + ", grid " + std::to_string(i));
+      const Plan plan = make_planner(name, options)->plan({instance.grid, given}, instance.query);
+      EXPECT_EQ(plan.priority_resampled, i % 3 != 2) << "blocks of columns are as good";
+      if (plan.status != PlanStatus::Found) continue;
+      ++found;
+      ASSERT_TRUE(plan.bound.has_value());
+      EXPECT_LE(*plan.bound, optimum + 1e-12);
+      EXPECT_GE(plan.penalty, optimum - 1e-9);
+      if (name == std::string("exact")) {
+        EXPECT_NEAR(plan.penalty, optimum, 1e-9);
+      }
     }
   }
-  EXPECT_GT(found, 40);
+  EXPECT_GT(found, 100);
+}
+
+TEST(Linearised, ClaimsNoBoundWhereNoSquaresFillAColumn) {
+  const GridFrame frame({0, 0, 0}, {1.0, 1.37, 2.0}, {6, 6, 2});
+  const OccupancyGrid grid(frame);
+  const Raster priority(Raster::Values::Random(9, 9).abs(), {0, 0}, 1.0);
+  const Query query{frame.centre(Cell(0, 0, 0)), frame.centre(Cell(5, 3, 0)), {}};
+  for (const char* name : {"additive", "sweep", "auto", "ara-star"}) {
+    const Plan plan = make_planner(name)->plan({grid, priority}, query);
+    EXPECT_EQ(plan.status, PlanStatus::Found);
+    EXPECT_FALSE(plan.bound.has_value()) << name;
+    EXPECT_FALSE(plan.priority_resampled);
+  }
+  EXPECT_THROW(make_planner("exact")->plan({grid, priority}, query), std::invalid_argument);
+  EXPECT_THROW(pareto_front({grid, priority}, query), std::invalid_argument);
+  PlannerOptions shortest;
+  shortest.weights = {1.0, 0.0};
+  EXPECT_TRUE(make_planner("exact", shortest)->plan({grid, priority}, query).bound.has_value());
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ double length_of(const Problem& problem, const std::vector<Cell>& chain) {
 
 TEST(ShortestPath, IsAsLongAsTheTextbooks) {
   std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> unit(0.0, 3.0);
   ShortestPath search;
   int found = 0;
   int sealed = 0;
@@ -47,11 +48,14 @@ TEST(ShortestPath, IsAsLongAsTheTextbooks) {
     grid.set(goal, false);
     Query query{random_point(random, frame, start), random_point(random, frame, goal), {}};
     if (k % 5 == 0) query.band = {frame.cell().z() * (k % 3), frame.cell().z() * (k % 4)};
+    if (k % 5 == 1) query.band = {frame.cell().z() * unit(random), frame.cell().z() * unit(random)};
     const Scene scene{grid, kNoPriority};
     const Problem problem(scene, query, {});
     const double expected =
         test::slow_distances(grid, start, problem.levels, [&](const Cell& cell) -> Point {
-          return cell == start ? query.start : cell == goal ? query.goal : frame.centre(cell);
+          return cell == start  ? query.start
+                 : cell == goal ? query.goal
+                                : test::slow_vertex(frame, query, cell);
         })[static_cast<std::size_t>(frame.index(goal))];
     SearchStats stats;
     const PlanStatus status = search.run(problem, *test::Limit(), stats);

@@ -21,12 +21,12 @@ struct ExactOptions {
 
 using ParetoOptions [[deprecated("now ExactOptions")]] = ExactOptions;
 
-/// Exact over the simple paths of the planners' graph: cell centres, 26 steps, start and goal in
-/// place of the centres of their cells. A sweep gives a good path, the exact search goes on from
+/// Exact over the simple paths of the planners' graph: cells' vertices, 26 steps, start and goal in
+/// place of the vertices of their cells. A sweep gives a good path, the exact search goes on from
 /// there.
 ///
-/// `Plan::bound` is the optimum within 1e-9, where the priority raster's cells are the grid's
-/// columns; elsewhere priority is that of the columns' centres, and there is no bound. With
+/// `Plan::bound` is the optimum within 1e-9. Over a priority raster that is neither on the grid's
+/// columns nor can be resampled to them it throws `std::invalid_argument`. With
 /// `ExactOptions::eps`, Eq. (5) + W_P p_max is at most (1 + eps) times its optimum. A search that
 /// needs more than `ExactOptions::memory`, or more than 64 cells at which circling would pay,
 /// answers `OutOfBudget`, without a path.
@@ -38,8 +38,9 @@ std::unique_ptr<Planner> make_exact(const PlannerInfo& info, const PenaltyWeight
 /// loss R = p_max L - P (p_max: the largest priority in the window).
 struct Front {
   PlanStatus status = PlanStatus::NoneFound;
-  std::vector<PathTally> tallies;  ///< of each path; empty unless Found
-  std::vector<Path> paths;         ///< start ... goal, world [m]; each checked like a plan's
+  std::vector<PathTally> tallies;   ///< of each path; empty unless Found
+  std::vector<Path> paths;          ///< start ... goal, world [m]; each checked like a plan's
+  bool priority_resampled = false;  ///< as `Plan::priority_resampled`
   SearchStats stats;
 };
 

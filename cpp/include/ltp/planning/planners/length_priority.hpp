@@ -22,8 +22,8 @@ struct LengthPriorityOptions {
 /// Backward weighted A* from goal to start over the 26-neighbour graph, ordered by Eqs. (8)-(10). A
 /// cell carries one label (L, P) and is closed for good when it is expanded: reopening would turn
 /// parent chains into rings, since Eq. (8) is a mean that can fall along a path. So for W_P > 0
-/// this is the paper's heuristic, not an optimum of Eq. (5). For W_P = 0 and heuristic weight 0 or
-/// 1 it is the shortest path on the graph; without a heuristic `DistanceField` finds it.
+/// this is the paper's heuristic, not an optimum of Eq. (5). For W_P = 0 and a heuristic weight of
+/// at most 1 the answer is the shortest path on the graph, and `ShortestPath` finds it.
 std::unique_ptr<Planner> make_length_priority(const PlannerInfo& info,
                                               const PenaltyWeights& weights,
                                               const LengthPriorityOptions& options);

@@ -36,8 +36,8 @@ struct LinearisedOptions {
 /// bound and it - or when its effort is spent. A gap that is still open then is closed by the exact
 /// search, as far as `closing` goes. For W_P = 0 the path is a shortest one. Where alpha would have
 /// to be below the largest priority (long detours over the best ground pay), it is held just above:
-/// the bound stays valid and gets wider. The bound is given where the priority raster's cells are
-/// the grid's columns.
+/// the bound stays valid and gets wider. The bound is given wherever
+/// the priority raster is on the grid's columns or can be resampled to them (`onto_columns`).
 ///
 /// It begins with a guess from the weights, or with the slope at its last path if that led to the
 /// same goal and is steeper (`remember`): a larger alpha is a faster search for a shorter path.
