@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "ltp/grid/columns.hpp"
 #include "ltp/grid/neighbourhood.hpp"
 #include "ltp/planning/planner.hpp"
 
@@ -134,6 +135,12 @@ inline Point slow_vertex(const GridFrame& frame, const Query& query, const Cell&
   if (point.z() < low) point.z() = low;
   if (point.z() > high) point.z() = high;
   return point;
+}
+
+/// The priority that a plan was tallied over.
+inline Raster seen_priority(const Plan& plan, const Situation& situation) {
+  if (!plan.priority_resampled) return situation.priority;
+  return onto_columns(situation.priority, situation.grid.frame());
 }
 
 /// What a complete planner must answer.

@@ -13,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "ltp/grid/columns.hpp"
 #include "ltp/planning/planners.hpp"
 #include "scenes.hpp"
 
@@ -198,9 +197,7 @@ TEST_P(PlannerContract, TalliesThePathThatItGives) {
       SCOPED_TRACE(situation.name);
       const Plan plan = planner->plan(situation.scene(), situation.query);
       if (plan.status != PlanStatus::Found) continue;
-      const Raster priority = plan.priority_resampled
-                                  ? onto_columns(situation.priority, situation.grid.frame())
-                                  : situation.priority;
+      const Raster priority = test::seen_priority(plan, situation);
       resampled += plan.priority_resampled;
       const PathTally again = tally(plan.path, priority);
       EXPECT_EQ(plan.tally.length, again.length);

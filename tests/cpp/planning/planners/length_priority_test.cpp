@@ -170,7 +170,7 @@ std::optional<double> slow_search(const Situation& situation, double heuristic_w
       if (!labels[next].open || g(label) < g(labels[next]) - 1e-12) labels[next] = label;
     }
   }
-  // Not the label's penalty but the path's: the raster need not fit the columns.
+  // Not the label's penalty but the path's: no squares may fill the columns.
   std::vector<Point> points;
   for (std::int64_t i = start; i >= 0; i = labels[i].to_goal) {
     points.push_back(frame.centre(frame.cell_at(i)));
@@ -199,6 +199,7 @@ TEST(LengthPriority, IsThePapersSearch) {
     const PenaltyWeights weights{0.5, std::array<double, 4>{0.2, 1.0, 3.0, 10.0}[k % 4]};
     const bool scaled = k % 5 == 0;
     const Plan answer = plan(situation, heuristic_weight, weights, scaled);
+    situation.priority = test::seen_priority(answer, situation);
     const std::optional<double> expected =
         slow_search(situation, heuristic_weight, weights, scaled);
     ASSERT_EQ(answer.status == PlanStatus::Found, expected.has_value());
@@ -261,9 +262,10 @@ TEST(LengthPriority, ExpandsLessWithAHeuristic) {
   Situation field{"", OccupancyGrid(frame), test::random_priority(frame, 1), {}};
   field.query.start = frame.centre(Cell(2, 2, 1));
   field.query.goal = frame.centre(Cell(27, 20, 1));
-  const Plan without = plan(field, 0.0, {1.0, 0.0});
-  const Plan with = plan(field, 1.0, {1.0, 0.0});
-  const Plan weighted = plan(field, std::sqrt(3.0), {1.0, 0.0});
+  // Next to no priority; without any, the first two are one search for the shortest path.
+  const Plan without = plan(field, 0.0, {1.0, 1e-6});
+  const Plan with = plan(field, 1.0, {1.0, 1e-6});
+  const Plan weighted = plan(field, std::sqrt(3.0), {1.0, 1e-6});
   EXPECT_LT(with.stats.expanded, without.stats.expanded / 2);
   EXPECT_LE(weighted.stats.expanded, with.stats.expanded);
   // The three names are these three weights.

@@ -83,7 +83,7 @@ bool compare(std::string_view name, PlannerOptions options, const Situation& sit
   if (old.status != PlanStatus::Found || plan.status != PlanStatus::Found) return false;
   EXPECT_LE(plan.penalty, old.penalty + 1e-12);
   EXPECT_LE(plan.tally.length, old.tally.length * (1.0 + 1e-12));
-  const PathTally walked = tally(plan.path, situation.priority);
+  const PathTally walked = tally(plan.path, test::seen_priority(plan, situation));
   EXPECT_EQ(plan.tally.length, walked.length);
   EXPECT_EQ(plan.tally.priority, walked.priority);
   EXPECT_LE(plan.path.rows(), old.path.rows());
