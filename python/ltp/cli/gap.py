@@ -41,7 +41,7 @@ def gap(
         str,
         typer.Option(
             help="Planners to compare, with commas between; `NAME+refine` is one with its paths "
-            "refined, `shortest` is LP-Dijkstra with W_P = 0; by default all, unrefined."
+            "refined, `shortest` is the shortest path; by default all, unrefined."
         ),
     ] = "",
     ratios: Annotated[

@@ -92,6 +92,23 @@ def test_the_front_is_over_the_columns_too() -> None:
             np.testing.assert_array_equal(front.tallies[:, 1], [s.priority for s in sums])
 
 
+@pytest.mark.parametrize("cell", [(2, 3), (3, 2), (1, 2), (0.5, 0.75), (0.1, 0.3)])
+def test_columns_that_are_no_squares_are_cut_into_squares(cell: tuple[float, float]) -> None:
+    frame = ltp.GridFrame((0, 0, 0), (*cell, 4), (12, 9, 3))
+    width, depth = 12 * cell[0], 9 * cell[1]
+    query = ltp.Query((0.1 * width, 0.2 * depth, 5), (0.9 * width, 0.7 * depth, 5.5), (0, 0))
+    raster = ltp.Raster(RNG.random((40, 40)), (-0.3, -0.1), width / 30)
+    seen = ltp.onto_columns(raster, frame)
+    for info in ltp.planners():
+        for given, resampled in ((raster, True), (seen, False)):
+            scene = ltp.Scene(ltp.OccupancyGrid(frame), given)
+            plan = ltp.make_planner(info.name).plan(scene, query)
+            assert plan.status == PlanStatus.FOUND
+            assert plan.priority_resampled == resampled
+            assert plan.tally.priority == ltp.tally(plan.path, seen).priority
+            assert (plan.bound is not None) == info.bounds
+
+
 def test_what_cannot_be_resampled_is_refused_by_name_where_exact() -> None:
     grid = ltp.OccupancyGrid(ltp.GridFrame((0, 0, 0), (1, 1.37, 4), (20, 16, 3)))
     scene = ltp.Scene(grid, OFF_THE_COLUMNS["shifted"])

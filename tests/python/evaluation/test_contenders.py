@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Contenders, weights, and what is known of the planners behind them."""
 
+import heapq
+import itertools
+
 import numpy as np
 import pytest
 
@@ -84,3 +87,55 @@ def test_every_map_has_a_name() -> None:
         "binary priority map",
         "low-pass priority map",
     ]
+
+
+def test_the_shortest_path_is_the_shortest_ends_included() -> None:
+    """Against Dijkstra over all steps between the points that a path can pass."""
+    rng = np.random.default_rng(8)
+    frame = ltp.GridFrame((0, 0, 0), (2, 2, 4), (12, 11, 3))
+    offsets = [o for o in itertools.product((-1, 0, 1), repeat=3) if any(o)]
+    judged = 0
+    for number in range(24):
+        blocked = rng.random((12, 11, 3)) < 0.25
+        ends = rng.uniform((0, 0, 0), (24, 22, 12), (2, 3))
+        cells = [tuple(int(c) for c in p // (2, 2, 4)) for p in ends]
+        if cells[0] == cells[1] or any(blocked[cell] for cell in cells):
+            continue
+        band = (0.0, 0.0) if number % 2 else (np.inf, np.inf)
+        low, high = sorted(ends[:, 2]) + np.array((-band[0], band[1]))
+
+        points = (np.stack(np.indices((12, 11, 3)), -1) + 0.5) * (2, 2, 4)
+        points[..., 2] = np.clip(points[..., 2], low, high)
+        points[cells[0]], points[cells[1]] = ends
+        levels = range(3)
+        if not np.isinf(high):
+            levels = range(min(c[2] for c in cells), max(c[2] for c in cells) + 1)
+        far = {cells[0]: 0.0}
+        heap = [(0.0, cells[0])]
+        while heap:
+            length, cell = heapq.heappop(heap)
+            if length > far[cell]:
+                continue
+            for offset in offsets:
+                box = itertools.product(*[{0, o} for o in offset])
+                around = [tuple(np.add(cell, b)) for b in box if any(b)]
+                inside = all(
+                    0 <= x < 12 and 0 <= y < 11 and z in levels and not blocked[x, y, z]
+                    for x, y, z in around
+                )
+                if not inside:
+                    continue
+                to = tuple(np.add(cell, offset))
+                total = length + float(np.linalg.norm(points[to] - points[cell]))
+                if total < far.get(to, np.inf):
+                    far[to] = total
+                    heapq.heappush(heap, (total, to))
+        scene = ltp.Scene(
+            ltp.OccupancyGrid.from_array(blocked, frame), ltp.Raster(rng.random((12, 11)), cell=2.0)
+        )
+        plan = Contender("shortest").make(2.0).plan(scene, ltp.Query(*ends, band))
+        assert (plan.status == ltp.PlanStatus.FOUND) == (cells[1] in far)
+        if cells[1] in far:
+            assert plan.tally.length == pytest.approx(far[cells[1]], abs=1e-9)
+            judged += 1
+    assert judged > 4
