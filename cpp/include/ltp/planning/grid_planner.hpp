@@ -101,7 +101,7 @@ class Answer {
   void end(PlanStatus status);
   /// Takes all paths back.
   void withdraw(PlanStatus status);
-  /// No path through cell centres has a smaller penalty than this, nor than the best path: what is
+  /// No path through the vertices has a smaller penalty than this, nor than the best path: what is
   /// proved by now. There must be a path. Nothing: no proof.
   void prove(std::optional<double> bound);
 

@@ -24,7 +24,7 @@ struct AdditiveResult {
   std::vector<Cell> chain;  ///< start ... goal
 };
 
-/// A* from start to goal. The graph is the planners' own: cell centres, with start and goal
+/// A* from start to goal. The graph is the planners' own: the vertices, with start and goal
 /// themselves in place of the centres of their cells. It begins at the start, since that is where
 /// the obstacles are that a UAV has seen, and its heuristic knows none: the exact cost over the
 /// columns to the goal, and the least that a change of height adds. A goal that is walled in is

@@ -25,7 +25,7 @@ class ExactSearch {
     double memory = 0.0;     ///< for labels and graph [bytes]
   };
 
-  /// Improves an answer that has a path through cell centres; W_P > 0, start and goal in two cells.
+  /// Improves an answer that has a path through the vertices; W_P > 0, start and goal in two cells.
   /// Found: it is within the limits of the optimum. OutOfBudget: it may be better than before.
   /// `proved()` holds in either case.
   PlanStatus improve(const Problem& problem, const Limits& limits, Answer& answer);

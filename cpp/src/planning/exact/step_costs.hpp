@@ -22,7 +22,7 @@ inline StepCost operator+(const StepCost& a, const StepCost& b) {
   return {a.length + b.length, a.loss + b.loss};
 }
 
-/// The graph is the planners' own: 26 steps between cell centres, with start and goal themselves in
+/// The graph is the planners' own: 26 steps between the vertices, with start and goal themselves in
 /// place of the centres of their cells; a step at either end is tallied exactly.
 ///
 /// Costs are rounded to a fixed power of two, so that sums do not depend on the order of their

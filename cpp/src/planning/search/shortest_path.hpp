@@ -19,7 +19,7 @@
 
 namespace ltp::planning {
 
-/// The graph is the planners' own: cell centres, with start and goal themselves in place of the
+/// The graph is the planners' own: the vertices, with start and goal themselves in place of the
 /// centres of their cells. It searches from the goal, so that one that is walled in is soon proved
 /// so, with `OctileDistance` to the start; only `NaturalSteps` are taken. Open cells wait in narrow
 /// buckets, last in, first out: where nothing is in the way all cells of the way are in one bucket,

@@ -27,7 +27,7 @@ struct LinearisedOptions {
 /// Eq. (5) is a mean; linearised at a path of length L and mean priority m it is the sum of (alpha
 /// - p) dl with alpha = m + (W_L / W_P) L / L_direct. While alpha is above the largest priority
 /// every step costs something and A* is exact for it. A search with alpha whose least cost is C
-/// proves P <= alpha L - C for every path through cell centres: a lower bound on Eq. (5),
+/// proves P <= alpha L - C for every path through the vertices: a lower bound on Eq. (5),
 /// `Plan::bound`. Where the bound lies, the slope of Eq. (5) is the next alpha (Aneja and Nair's
 /// dichotomic search, steered by the penalty); the shortest path bounds it from the other side.
 ///
