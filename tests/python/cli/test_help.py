@@ -77,6 +77,8 @@ def test_every_option_is_explained_by_a_sentence() -> None:
         f"{name} {option.name}": found
         for name, command in COMMANDS.items()
         for option in options(command)
+        # typer 0.16 beside a new click loses the help of arguments.
+        if option.help is not None or option.param_type_name != "argument"
         if (found := faults(option.help or ""))
     }
     assert wrong == {}

@@ -133,6 +133,7 @@ def read_raster(
                 scale, offset = dataset.scales[0] * unit, dataset.offsets[0] * unit
     except (
         rasterio.errors.RasterioError,
+        rasterio.errors.RasterioIOError,  # in 1.3 an OSError only
         rasterio.errors.CRSError,
         MemoryError,
         UnicodeDecodeError,  # of a text in the file
