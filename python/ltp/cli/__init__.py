@@ -2,7 +2,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command line, `ltp`: a thin layer that parses, calls one function, prints its result."""
 
-from . import compare, config, demo, evaluate, figure, fly, gap, replay, table, version, world
+from . import (
+    compare,
+    config,
+    demo,
+    evaluate,
+    export,
+    figure,
+    fly,
+    gap,
+    replay,
+    table,
+    version,
+    world,
+)
 from . import root as root_options
 from .app import make_group
 
@@ -23,6 +36,7 @@ for module in (
     compare,
     gap,
     config,
+    export,
     replay,
     version,
     figure,

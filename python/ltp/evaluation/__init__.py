@@ -29,6 +29,7 @@ from .campaign import (
 )
 from .conditions import Weights
 from .contenders import Contender
+from .dataframe import to_dataframe
 from .scenarios import Scenario, ScenarioOptions, make_scenarios
 
 __all__ = [
@@ -44,4 +45,5 @@ __all__ = [
     "make_scenarios",
     "read_rows",
     "run_campaign",
+    "to_dataframe",
 ]

@@ -5,6 +5,7 @@
 import warnings
 from typing import TYPE_CHECKING
 
+from ltp.sim.export import to_geojson, to_kml
 from ltp.sim.guidance import PathFollower
 from ltp.sim.mission import Mission, fly
 from ltp.sim.observer import Observer
@@ -25,6 +26,8 @@ __all__ = [
     "Step",
     "WaypointEntry",
     "fly",
+    "to_geojson",
+    "to_kml",
 ]
 
 if not TYPE_CHECKING:  # which would take any name for one of the module's
