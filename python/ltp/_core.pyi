@@ -10,7 +10,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['AraOptions', 'BezierOptions', 'Budget', 'ConcurrentTrajectoryPlanner', 'Decision', 'ExactOptions', 'Front', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationReason', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'PathTally', 'PenaltyWeights', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerInfo', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'TangentBugOptions', 'WaypointEvent', 'closest_point', 'distance_field', 'flood_fill', 'inflate', 'onto_columns', 'pareto_front', 'path_length', 'penalty', 'planner_info', 'planners', 'point_at', 'resample', 'tally']
+__all__: list[str] = ['AraOptions', 'BezierOptions', 'Budget', 'ConcurrentTrajectoryPlanner', 'Decision', 'ExactOptions', 'Front', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'PathTally', 'PenaltyWeights', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerInfo', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'TangentBugOptions', 'WaypointEvent', 'closest_point', 'distance_field', 'flood_fill', 'inflate', 'pareto_front', 'path_length', 'penalty', 'planner_info', 'planners', 'point_at', 'resample', 'tally']
 class Pose:
     """
     Where a body is and how it is turned (world ENU, body x forward, y left, z up).
@@ -19,8 +19,6 @@ class Pose:
         """
         position: (3,) [m]. yaw, pitch, roll: turns about z, y, x, applied in this order [rad].
         """
-    def __repr__(self) -> str:
-        ...
     @property
     def position(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
@@ -91,8 +89,6 @@ class Raster:
         values: (nx, ny), finite. origin: (2,) outer corner of cell (0, 0) [m]. cell: edge [m].
         outside: the value beyond the edges. ValueError names what is wrong.
         """
-    def __repr__(self) -> str:
-        ...
     def at(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], y: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Any:
         """
         Value of the cell that holds (x, y) [m]; vectorised.
@@ -144,9 +140,7 @@ class OccupancyGrid:
         """
         An empty grid.
         """
-    def __repr__(self) -> str:
-        ...
-    def blocked_at(self, points: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> numpy.typing.NDArray[numpy.bool]:
+    def blocked_at(self, points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"]) -> numpy.typing.NDArray[numpy.bool]:
         """
         bool (N,): whether the cells that hold points (N, 3) [m] are blocked; False outside.
         """
@@ -154,10 +148,9 @@ class OccupancyGrid:
         """
         Number of blocked cells.
         """
-    def first_blocked(self, path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], from_arc_length: typing.SupportsFloat | typing.SupportsIndex = 0.0, ignored: typing.Annotated[numpy.typing.ArrayLike, numpy.int32, "[3, 1]"] | None = None) -> float | None:
+    def first_blocked(self, path: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], from_arc_length: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> float | None:
         """
-        Arc length [m] at which a path (N, 3) first touches a blocked cell, exactly; None if it touches none. The
-        cell `ignored` (3,) counts as free.
+        Arc length [m] at which a path (N, 3) first touches a blocked cell, exactly; None if it touches none.
         """
     def roll(self, shift: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], "FixedSize(3)"]) -> None:
         """
@@ -237,8 +230,6 @@ class RayHit:
     """
     Where a ray first meets a surface.
     """
-    def __repr__(self) -> str:
-        ...
     @property
     def hit(self) -> bool:
         """
@@ -263,21 +254,11 @@ class Surface:
         The first hit nearer than max_range [m] of the ray from origin (3,) along the unit vector
         direction (3,). A ray that starts inside the solid hits at range 0.
         """
-    def cast_rays(self, origins: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], directions: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], max_range: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
+    def cast_rays(self, origins: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], max_range: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
         """
-        (N,): ranges [m] of the rays from origins (N, 3) [m] along the unit vectors directions (N, 3),
-        both float64; inf: no hit nearer than max_range [m]. Neighbours with the same origin are cast
+        (N,): ranges [m] of the rays from origins (N, 3) [m] along the unit vectors directions (N, 3);
+        inf: no hit nearer than max_range [m]. Neighbours with the same origin are cast
         together, a thousand or more of them several times faster.
-        """
-    def clearance(self, points: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], max_distance: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
-        """
-        (N,): distance [m] from points (N, 3), float64, to the solid, 0 inside it, at most
-        max_distance.
-        """
-    def first_collision(self, path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> float | None:
-        """
-        Arc length [m] at which a path (N, 3), float64, first touches the solid, exactly along its
-        segments; None if it never does. Grazing a top or a wall touches it.
         """
 class HeightSurface(Surface):
     """
@@ -288,8 +269,16 @@ class HeightSurface(Surface):
         """
         heights: above the datum [m].
         """
-    def __repr__(self) -> str:
-        ...
+    def clearance(self, points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], max_distance: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (N,): distance [m] from points (N, 3) to the solid, 0 inside it, at most
+        max_distance.
+        """
+    def first_collision(self, path: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"]) -> float | None:
+        """
+        Arc length [m] at which a path (N, 3) first touches the solid, exactly along its
+        segments; None if it never does. Grazing a top or a wall touches it.
+        """
     def occupancy(self, frame: GridFrame) -> OccupancyGrid:
         """
         OccupancyGrid of the cells that hold any of the solid: what a perfect and complete sensor
@@ -308,12 +297,10 @@ class OctreeSurface(Surface):
         Reads a .bt or .ot file. ValueError names the file and what is wrong with it.
         """
     @typing.overload
-    def __init__(self, points: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], resolution: typing.SupportsFloat | typing.SupportsIndex) -> None:
+    def __init__(self, points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], resolution: typing.SupportsFloat | typing.SupportsIndex) -> None:
         """
-        Voxels of edge resolution [m] that hold points (N, 3), float64 [m].
+        Voxels of edge resolution [m], 1e-6 to 1e6, that hold points (N, 3) [m].
         """
-    def __repr__(self) -> str:
-        ...
     @property
     def resolution(self) -> float:
         """
@@ -398,7 +385,7 @@ class LidarOptions:
     """
     Settings of the LiDAR.
     """
-    __fields__: typing.ClassVar[tuple] = ('pattern', 'max_range', 'range_noise_sd', 'drop_out', 'seed')
+    __fields__: typing.ClassVar[tuple] = ('pattern', 'min_range', 'max_range', 'range_noise_sd', 'drop_out', 'seed')
     def __copy__(self) -> LidarOptions:
         ...
     def __deepcopy__(self, memo: dict) -> LidarOptions:
@@ -428,6 +415,14 @@ class LidarOptions:
     def max_range(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def min_range(self) -> float:
+        """
+        a return nearer than it is no return, nor a miss [m]
+        """
+    @min_range.setter
+    def min_range(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
     def pattern(self) -> LidarPattern:
         """
         which rays
@@ -455,7 +450,7 @@ class ScanStatistics:
     """
     What became of a scan's rays; the counts add up to all of them.
     """
-    __fields__: typing.ClassVar[tuple] = ('hits', 'misses', 'invalid', 'dropped')
+    __fields__: typing.ClassVar[tuple] = ('hits', 'misses', 'too_near', 'invalid', 'dropped')
     def __repr__(self) -> str:
         ...
     @property
@@ -466,7 +461,7 @@ class ScanStatistics:
     @property
     def hits(self) -> int:
         """
-        returns nearer than the maximum range
+        returns between the minimum and the maximum range
         """
     @property
     def invalid(self) -> int:
@@ -478,12 +473,15 @@ class ScanStatistics:
         """
         no return: +inf, or at or beyond the maximum range
         """
+    @property
+    def too_near(self) -> int:
+        """
+        returns nearer than the minimum range
+        """
 class Scan:
     """
     One revolution of a LiDAR, in the world frame.
     """
-    def __repr__(self) -> str:
-        ...
     @property
     def hits(self) -> numpy.ndarray:
         """
@@ -510,13 +508,11 @@ class Lidar:
         """
         ValueError names the option that is wrong.
         """
-    def __repr__(self) -> str:
-        ...
-    def from_ranges(self, ranges: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], pose: Pose) -> Scan:
+    def from_ranges(self, ranges: typing.Any, pose: Pose) -> Scan:
         """
-        The scan that a real sensor's ranges (azimuths * rows,) [m] mean, in the order of
-        directions. NaN, 0, negative and -inf are invalid; +inf and anything at or beyond the
-        maximum range is a miss.
+        The scan that a real sensor's ranges (azimuths * rows,) or (azimuths, rows) [m] mean, in the
+        order of directions; float32 or float64. NaN, 0, negative and -inf are invalid; what is nearer than
+        the minimum range is too near; +inf and anything at or beyond the maximum range is a miss.
         """
     def scan(self, surface: Surface, pose: Pose, sequence: typing.SupportsInt | typing.SupportsIndex = 0, *, misses: bool = True) -> Scan:
         """
@@ -536,7 +532,7 @@ class ObstacleMapOptions:
     """
     Settings of the obstacle map.
     """
-    __fields__: typing.ClassVar[tuple] = ('cell', 'dims', 'inflation_radius', 'max_range', 'carve_free_space', 'keep_hits', 'hit_log_odds', 'miss_log_odds', 'min_log_odds', 'max_log_odds')
+    __fields__: typing.ClassVar[tuple] = ('cell', 'dims', 'inflation_radius', 'max_range', 'blind_distance', 'body_min', 'body_max', 'carve_free_space', 'keep_hits', 'hit_log_odds', 'miss_log_odds', 'min_log_odds', 'max_log_odds')
     def __copy__(self) -> ObstacleMapOptions:
         ...
     def __deepcopy__(self, memo: dict) -> ObstacleMapOptions:
@@ -549,6 +545,32 @@ class ObstacleMapOptions:
         """
         Raises `ValueError` that names the field.
         """
+    @property
+    def blind_distance(self) -> float:
+        """
+        a hit nearer than this to the scan's origin marks nothing [m]: the aircraft itself, or a sensor that
+        writes its own place where there was no return; 0: any hit counts
+        """
+    @blind_distance.setter
+    def blind_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def body_max(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,), its highest corner [m]; the same as body_min: no box
+        """
+    @body_max.setter
+    def body_max(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        ...
+    @property
+    def body_min(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,), lowest corner of a box in the frame of a scan's pose (the world's axes if only an origin is given),
+        about that pose [m]: hits in it mark nothing
+        """
+    @body_min.setter
+    def body_min(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        ...
     @property
     def carve_free_space(self) -> bool:
         """
@@ -633,13 +655,23 @@ class InsertStatistics:
     """
     What became of a scan's points, and of the map.
     """
-    __fields__: typing.ClassVar[tuple] = ('marked', 'outside', 'out_of_range', 'invalid', 'new_cells', 'erased_cells')
+    __fields__: typing.ClassVar[tuple] = ('marked', 'too_near', 'in_body', 'outside', 'out_of_range', 'invalid', 'new_cells', 'erased_cells')
     def __repr__(self) -> str:
         ...
+    def warnings(self, options: ObstacleMapOptions) -> list[str]:
+        """
+        Sentences: in which ways a map of these ObstacleMapOptions loses more hits than it should - to max_range and
+        the window's edges (0.1 % of the hits), to blind_distance (any), to the body box (a tenth). [] if all is well.
+        """
     @property
     def erased_cells(self) -> int:
         """
         planning cells that became free by carving
+        """
+    @property
+    def in_body(self) -> int:
+        """
+        hits in the body box: ignored
         """
     @property
     def invalid(self) -> int:
@@ -667,6 +699,11 @@ class InsertStatistics:
         """
         hits beyond the window
         """
+    @property
+    def too_near(self) -> int:
+        """
+        hits nearer than the blind distance: ignored
+        """
 class ObstacleMap:
     """
     What the sensor has touched round the UAV. Voxels are the memory, planning cells the view: a cell is
@@ -677,17 +714,17 @@ class ObstacleMap:
         """
         centre: (3,), of the window, world [m]. ValueError names the option that is wrong.
         """
-    def __repr__(self) -> str:
-        ...
     def clear(self) -> None:
         """
         Forgets everything.
         """
-    def insert(self, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], hits: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], misses: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"] | None = None) -> InsertStatistics:
+    def insert(self, origin: Pose | typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], hits: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], misses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"] | None = None) -> InsertStatistics:
         """
-        Adds a scan: where its rays began (3,), where they hit (N, 3) and, for carving, where those without a
-        return ended (M, 3); world [m], C-ordered float64. Points that are not finite, out of range or outside the
-        window are counted, never an error. Returns InsertStatistics.
+        Adds a scan: where its rays began, (3,) or a Pose whose attitude turns the body box; where they hit and, for
+        carving, where those without a return ended; world [m]. Clouds are float32 or float64 of any layout: (N, 3) or
+        wider (columns x, y, z first), organised (H, W, 3) or wider, or with fields x, y, z; C-ordered ones are not
+        copied. Points that are not finite, too near, in the body, out of range or outside the window are counted, never
+        an error. Returns InsertStatistics.
         """
     def load(self, path: os.PathLike | str | bytes) -> None:
         """
@@ -720,6 +757,11 @@ class ObstacleMap:
     def options(self) -> ObstacleMapOptions:
         ...
     @property
+    def totals(self) -> InsertStatistics:
+        """
+        InsertStatistics, the sum over all scans since the map was made
+        """
+    @property
     def version(self) -> int:
         """
         grows, from 0, whenever planning cells become occupied or free: by a scan, a file or `clear`
@@ -740,8 +782,6 @@ class Scene:
     """
     def __init__(self, occupancy: OccupancyGrid, priority: Raster) -> None:
         ...
-    def __repr__(self) -> str:
-        ...
 class Query:
     """
     From where to where, and how far the path may leave the altitudes between.
@@ -751,8 +791,6 @@ class Query:
         start, goal: (3,), world [m]. band: (below, above), how far the path may go under the lower and over the
         higher of both ends [m], >= 0; (0, 0) is planar flight, the default is open to the whole window.
         """
-    def __repr__(self) -> str:
-        ...
     @property
     def band(self) -> tuple[float, float]:
         ...
@@ -852,13 +890,13 @@ class Plan:
     """
     A planner's answer.
     """
-    __fields__: typing.ClassVar[tuple] = ('status', 'tally', 'penalty', 'bound', 'priority_resampled', 'stats')
+    __fields__: typing.ClassVar[tuple] = ('status', 'tally', 'penalty', 'bound', 'stats')
     def __repr__(self) -> str:
         ...
     @property
     def bound(self) -> float | None:
         """
-        no path through vertices of cells has a smaller penalty (a refined one may); None without a proof
+        no path through cell centres has a smaller penalty (a refined one may); None without a proof
         """
     @property
     def path(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
@@ -869,11 +907,6 @@ class Plan:
     def penalty(self) -> float:
         """
         Eq. (5); inf unless FOUND
-        """
-    @property
-    def priority_resampled(self) -> bool:
-        """
-        the priority was off the grid's columns: planned and tallied over `ltp.onto_columns` of it
         """
     @property
     def stats(self) -> SearchStats:
@@ -894,18 +927,13 @@ class Front:
     """
     The paths of which none is both shorter and over better ground.
     """
-    __fields__: typing.ClassVar[tuple] = ('status', 'priority_resampled', 'stats')
+    __fields__: typing.ClassVar[tuple] = ('status', 'stats')
     def __repr__(self) -> str:
         ...
     @property
     def paths(self) -> list[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]]:
         """
         k arrays (N, 3), start ... goal, world [m]
-        """
-    @property
-    def priority_resampled(self) -> bool:
-        """
-        as in `Plan`
         """
     @property
     def stats(self) -> SearchStats:
@@ -1423,7 +1451,7 @@ class PlannerInfo:
     @property
     def on_grid(self) -> bool:
         """
-        its paths run through vertices of cells
+        its paths run through cell centres
         """
     @property
     def remembers(self) -> bool:
@@ -1445,8 +1473,6 @@ class Planner:
     A local planner; made by `make_planner`.
     """
     def __init__(self, name: str, options: PlannerOptions = ...) -> None:
-        ...
-    def __repr__(self) -> str:
         ...
     def front(self, scene: Scene, query: Query, eps: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> Front:
         """
@@ -1601,98 +1627,11 @@ class NavigationStatus:
     @property
     def value(self) -> int:
         ...
-class NavigationReason:
-    """
-    Why a UAV holds or escapes, or why a waypoint was dropped.
-
-    Members:
-
-      NONE :
-
-      UNDECIDED : nothing has been planned yet
-
-      START_BLOCKED : the UAV stands too near to what was hit and leaves by the nearest free cell
-
-      START_IN_GROUND : start in the ground's cell: the UAV is less than a free cell above what lies beneath it, and no free cell is near
-
-      NO_ESCAPE : the UAV stands too near to what was hit, and no free cell can be reached
-
-      WALLED_IN : the UAV is walled in by its own map
-
-      NO_STOPOVER : the waypoint lies beyond the map's window, and no point of the leg to it can be reached
-
-      OUT_OF_BUDGET : the planner's budget ran out before it found a path
-
-      NO_PATH : no path was found, and no proof that there is none
-
-      GOAL_BLOCKED : the waypoint lies in a blocked cell of the map
-
-      UNREACHABLE : the waypoint is proved unreachable: all around it is closed
-
-      ALL_DROPPED : all waypoints were dropped, none was reached
-    """
-    ALL_DROPPED: typing.ClassVar[NavigationReason]
-    GOAL_BLOCKED: typing.ClassVar[NavigationReason]
-    NONE: typing.ClassVar[NavigationReason]
-    NO_ESCAPE: typing.ClassVar[NavigationReason]
-    NO_PATH: typing.ClassVar[NavigationReason]
-    NO_STOPOVER: typing.ClassVar[NavigationReason]
-    OUT_OF_BUDGET: typing.ClassVar[NavigationReason]
-    START_BLOCKED: typing.ClassVar[NavigationReason]
-    START_IN_GROUND: typing.ClassVar[NavigationReason]
-    UNDECIDED: typing.ClassVar[NavigationReason]
-    UNREACHABLE: typing.ClassVar[NavigationReason]
-    WALLED_IN: typing.ClassVar[NavigationReason]
-    __members__: typing.ClassVar[dict[str, NavigationReason]]
-    def __bool__(self) -> bool:
-        ...
-    @typing.overload
-    def __eq__(self, other: NavigationReason) -> bool:
-        ...
-    @typing.overload
-    def __eq__(self, other: typing.Any) -> bool:
-        ...
-    def __getstate__(self) -> int:
-        ...
-    def __hash__(self) -> int:
-        ...
-    def __index__(self) -> int:
-        ...
-    def __init__(self, value: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
-    def __int__(self) -> int:
-        ...
-    @typing.overload
-    def __ne__(self, other: NavigationReason) -> bool:
-        ...
-    @typing.overload
-    def __ne__(self, other: typing.Any) -> bool:
-        ...
-    def __repr__(self) -> str:
-        ...
-    def __setstate__(self, state: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
-    def __str__(self) -> str:
-        ...
-    @property
-    def label(self) -> str:
-        ...
-    @property
-    def name(self) -> str:
-        ...
-    @property
-    def text(self) -> str:
-        """
-        a plain sentence without its full stop; empty for NONE
-        """
-    @property
-    def value(self) -> int:
-        ...
 class WaypointEvent:
     """
     What became of a waypoint.
     """
-    __fields__: typing.ClassVar[tuple] = ('index', 'reached', 'reason', 'why', 'position', 'goal', 'window_origin')
+    __fields__: typing.ClassVar[tuple] = ('index', 'reached', 'reason', 'position', 'goal', 'window_origin')
     def __repr__(self) -> str:
         ...
     @property
@@ -1719,11 +1658,6 @@ class WaypointEvent:
     def reason(self) -> PlanStatus:
         """
         why it was dropped: GOAL_BLOCKED or UNREACHABLE
-        """
-    @property
-    def why(self) -> NavigationReason:
-        """
-        the same as a reason with a text; NONE: reached
         """
     @property
     def window_origin(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -1766,8 +1700,6 @@ class LocalTrajectoryPlanner:
         """
         priority: Raster in [0, 1]. position: (3,) [m]. planner: one of `ltp.PLANNERS`.
         """
-    def __repr__(self) -> str:
-        ...
     def clear_map(self) -> None:
         """
         Forgets all obstacles, those beyond the window too; the next update plans on it.
@@ -1776,10 +1708,10 @@ class LocalTrajectoryPlanner:
         """
         Adds what a `.bt` or `.ot` file knows about the window, as ObstacleMap.load does; the next update plans on it.
         """
-    def sense(self, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], hits: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], misses: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"] = ...) -> InsertStatistics:
+    def sense(self, origin: Pose | typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], hits: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], misses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"] | None = None) -> InsertStatistics:
         """
-        Adds a scan: where its rays began (3,), where they hit (N, 3), and, for carving, where those without a
-        return ended (M, 3); world [m].
+        Adds a scan: where its rays began, (3,) or a Pose whose attitude turns the map's body box; where they hit and,
+        for carving, where those without a return ended; world [m]. Clouds as ObstacleMap.insert takes them.
         """
     def set_priority(self, priority: Raster) -> None:
         ...
@@ -1787,7 +1719,7 @@ class LocalTrajectoryPlanner:
         """
         The old name of `set_waypoints`.
         """
-    def set_waypoints(self, waypoints: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> None:
+    def set_waypoints(self, waypoints: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"]) -> None:
         """
         Replaces what is left of the global path; (N, 3), world [m].
         """
@@ -1829,11 +1761,6 @@ class LocalTrajectoryPlanner:
         since the beginning
         """
     @property
-    def reason(self) -> NavigationReason:
-        """
-        why it holds or escapes; NONE: it does not
-        """
-    @property
     def status(self) -> NavigationStatus:
         ...
     @property
@@ -1858,7 +1785,7 @@ class Decision:
     """
     What the planning thread decided on one scan's map.
     """
-    __fields__: typing.ClassVar[tuple] = ('scan', 'status', 'reason', 'path', 'path_id', 'waypoint_index', 'events', 'plans', 'plans_made')
+    __fields__: typing.ClassVar[tuple] = ('scan', 'status', 'path', 'path_id', 'waypoint_index', 'events', 'plans', 'plans_made')
     def __repr__(self) -> str:
         ...
     @property
@@ -1885,11 +1812,6 @@ class Decision:
     def plans_made(self) -> int:
         """
         since the beginning
-        """
-    @property
-    def reason(self) -> NavigationReason:
-        """
-        why it holds or escapes
         """
     @property
     def scan(self) -> int:
@@ -1920,8 +1842,6 @@ class ConcurrentTrajectoryPlanner:
         """
         As a LocalTrajectoryPlanner's.
         """
-    def __repr__(self) -> str:
-        ...
     def clear_map(self) -> None:
         """
         As LocalTrajectoryPlanner's; the map is handed over to be planned on at once.
@@ -1934,7 +1854,7 @@ class ConcurrentTrajectoryPlanner:
         """
         Decides on the newest map, in the calling thread: instead of `start`. Whether there was a new one.
         """
-    def sense(self, origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], hits: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], misses: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"] = ...) -> InsertStatistics:
+    def sense(self, origin: Pose | typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], hits: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], misses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"] | None = None) -> InsertStatistics:
         """
         Adds a scan, as LocalTrajectoryPlanner does, and hands the map over to be planned on; the UAV is at its origin.
         """
@@ -1946,7 +1866,7 @@ class ConcurrentTrajectoryPlanner:
         """
         The old name of `set_waypoints`.
         """
-    def set_waypoints(self, waypoints: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> None:
+    def set_waypoints(self, waypoints: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"]) -> None:
         """
         Replaces what is left of the global path from the next scan on; (N, 3), world [m].
         """
@@ -1966,7 +1886,7 @@ class ConcurrentTrajectoryPlanner:
     @property
     def blocked_at(self) -> float | None:
         """
-        arc length of the last decision's path at which the newest map blocks it, an escape: at which something was hit [m]; None if it is free
+        arc length of the last decision's path at which the newest map blocks it [m]; None if it is free
         """
     @property
     def decision(self) -> Decision:
@@ -1991,9 +1911,9 @@ class ConcurrentTrajectoryPlanner:
     @property
     def waypoints(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         ...
-def closest_point(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], from_arc_length: typing.SupportsFloat | typing.SupportsIndex = 0.0, to_arc_length: typing.SupportsFloat | typing.SupportsIndex = ...) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], float, float]:
+def closest_point(path: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], from_arc_length: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], float, float]:
     """
-    (point (3,), arc length [m], distance [m]) of the closest point of a polyline between two arc lengths.
+    (point (3,), arc length [m], distance [m]) of the closest point of a polyline at or beyond an arc length.
     """
 def distance_field(grid: OccupancyGrid, source: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], levels: tuple[typing.SupportsInt | typing.SupportsIndex, typing.SupportsInt | typing.SupportsIndex] | None = None) -> numpy.typing.NDArray[numpy.float64]:
     """
@@ -2012,13 +1932,6 @@ def inflate(grid: OccupancyGrid, radius: typing.SupportsFloat | typing.SupportsI
     The grid with every cell blocked whose box is within `radius` [m] of the box of a blocked one: any radius > 0
     adds at least the 26 neighbours, 0 none.
     """
-def onto_columns(raster: Raster, frame: GridFrame) -> Raster:
-    """
-    The raster with one value over each column of a grid: the mean over the column's area. It covers the grid and has
-    the same value outside. Columns that are no squares are several cells of it. Planners do so with a priority that is
-    off their grid's columns (`Plan.priority_resampled`). ValueError where the columns' edges have no common part, down
-    to a sixteenth of the longer one.
-    """
 def pareto_front(scene: Scene, query: Query, options: ExactOptions = ..., budget: Budget = ...) -> Front:
     """
     All paths of which none is both shorter (L) and over better ground (R = p_max L - P, p_max the largest priority in
@@ -2026,7 +1939,7 @@ def pareto_front(scene: Scene, query: Query, options: ExactOptions = ..., budget
     L and its R. OUT_OF_BUDGET where memory or budget end. ValueError for a query that is not finite and for a wrong
     option. Lets other threads run; Ctrl-C interrupts it.
     """
-def path_length(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"]) -> float:
+def path_length(path: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"]) -> float:
     """
     Length of a polyline, path: (N, 3) [m].
     """
@@ -2048,15 +1961,15 @@ def planners() -> list[PlannerInfo]:
     """
     All planners, in the order of the paper's tables.
     """
-def point_at(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], arc_length: typing.SupportsFloat | typing.SupportsIndex) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+def point_at(path: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], arc_length: typing.SupportsFloat | typing.SupportsIndex) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
     """
     The point (3,) at an arc length [m] of a polyline; clamped to its ends.
     """
-def resample(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], spacing: typing.SupportsFloat | typing.SupportsIndex) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
+def resample(path: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], spacing: typing.SupportsFloat | typing.SupportsIndex) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
     """
     Points every `spacing` [m] along a polyline, both ends kept: (M, 3). path: (N, 3), N >= 1 [m].
     """
-def tally(path: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]", "flags.c_contiguous"], priority: Raster) -> PathTally:
+def tally(path: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], priority: Raster) -> PathTally:
     """
     Length and priority integral of a path (N, 3) [m]; exact for a priority constant on each cell of its raster.
     """

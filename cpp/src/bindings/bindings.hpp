@@ -14,6 +14,7 @@
 
 #include "ltp/geometry/check.hpp"
 #include "ltp/geometry/types.hpp"
+#include "points.hpp"
 
 namespace py = pybind11;
 using namespace pybind11::literals;  // NOLINT: "name"_a

@@ -185,9 +185,10 @@ void bind_occupancy(py::module_& m) {
       .def("count", &ltp::OccupancyGrid::count, "Number of blocked cells.")
       .def(
           "blocked_at",
-          [](const ltp::OccupancyGrid& grid, const ltp::PathRef& points) {
-            py::array_t<bool> out(points.rows());
-            grid.blocked_at(points, out.mutable_data());
+          [](const ltp::OccupancyGrid& grid, const bindings::Points& points) {
+            const bindings::PointsInUse in_use(points, "points", bindings::Numbers::Real);
+            py::array_t<bool> out(in_use.view().rows());
+            grid.blocked_at(in_use.view(), out.mutable_data());
             return out;
           },
           "points"_a,

@@ -13,11 +13,13 @@ using Map = ltp::ObstacleMap;
 using Options = ltp::ObstacleMapOptions;
 using FilePath = std::filesystem::path;
 
-ltp::InsertStatistics insert(Map& map, const ltp::Point& origin, const ltp::PathRef& hits,
-                             const std::optional<ltp::PathRef>& misses) {
+ltp::InsertStatistics insert(Map& map, const bindings::Place& origin, const bindings::Points& hits,
+                             const std::optional<bindings::Points>& misses) {
   own(map);
+  const bindings::PointsInUse hit(hits, "hits");
+  const bindings::PointsInUse missed(misses, "misses");
   const py::gil_scoped_release release;
-  return misses ? map.insert(origin, hits, *misses) : map.insert(origin, hits);
+  return map.insert(origin.pose, hit.view(), missed.view());
 }
 
 void load(Map& map, const FilePath& path) {
@@ -35,6 +37,16 @@ void bind_options(py::module_& m) {
              "a cell this near to an occupied cell is blocked [m]; 0: only those occupied")
       .field("max_range", &Options::max_range,
              "a hit at or beyond this distance from the scan's origin marks nothing [m]")
+      .field("blind_distance", &Options::blind_distance,
+             "a hit nearer than this to the scan's origin marks nothing [m]: the aircraft itself, "
+             "or a sensor that\n"
+             "writes its own place where there was no return; 0: any hit counts")
+      .field("body_min", &Options::body_min,
+             "(3,), lowest corner of a box in the frame of a scan's pose (the world's axes if only "
+             "an origin is given),\n"
+             "about that pose [m]: hits in it mark nothing")
+      .field("body_max", &Options::body_max,
+             "(3,), its highest corner [m]; the same as body_min: no box")
       .field("carve_free_space", &Options::carve_free_space, "learn from what rays passed, too")
       .field("keep_hits", &Options::keep_hits,
              "only with carving: rays that pass an occupied voxel say nothing about it")
@@ -48,6 +60,8 @@ void bind_statistics(py::module_& m) {
   using Statistics = ltp::InsertStatistics;
   Fields<Statistics>(m, "InsertStatistics", "What became of a scan's points, and of the map.")
       .result("marked", &Statistics::marked, "hits that fell into the window")
+      .result("too_near", &Statistics::too_near, "hits nearer than the blind distance: ignored")
+      .result("in_body", &Statistics::in_body, "hits in the body box: ignored")
       .result("outside", &Statistics::outside, "hits beyond the window")
       .result("out_of_range", &Statistics::out_of_range,
               "hits at or beyond the map's maximum range: treated as misses; many of them, and the "
@@ -56,7 +70,13 @@ void bind_statistics(py::module_& m) {
       .result("invalid", &Statistics::invalid, "hits or misses that are not finite: ignored")
       .result("new_cells", &Statistics::new_cells, "planning cells that became occupied")
       .result("erased_cells", &Statistics::erased_cells,
-              "planning cells that became free by carving");
+              "planning cells that became free by carving")
+      .bound()
+      .def("warnings", &Statistics::warnings, "options"_a,
+           "Sentences: in which ways a map of these ObstacleMapOptions loses more hits than it "
+           "should - to max_range and\n"
+           "the window's edges (0.1 % of the hits), to blind_distance (any), to the body box (a "
+           "tenth). [] if all is well.");
 }
 
 }  // namespace
@@ -84,16 +104,21 @@ void bind_mapping(py::module_& m) {
       .def_property_readonly("voxels", &Map::voxels, view,
                              "occupied voxels; a view that follows the map")
       .def_property_readonly("voxel_size", &Map::voxel_size, "edge of a voxel [m]")
+      .def_property_readonly("totals", &Map::totals, py::return_value_policy::copy,
+                             "InsertStatistics, the sum over all scans since the map was made")
       .def_property_readonly("version", &Map::version,
                              "grows, from 0, whenever planning cells become occupied or free: by a "
                              "scan, a file or `clear`")
-      .def("insert", &insert, "origin"_a, py::arg("hits").noconvert(),
-           py::arg("misses").noconvert() = py::none(),
-           "Adds a scan: where its rays began (3,), where they hit (N, 3) and, for carving, where "
-           "those without a\n"
-           "return ended (M, 3); world [m], C-ordered float64. Points that are not finite, out of "
-           "range or outside the\n"
-           "window are counted, never an error. Returns InsertStatistics.")
+      .def("insert", &insert, "origin"_a, "hits"_a, "misses"_a = py::none(),
+           "Adds a scan: where its rays began, (3,) or a Pose whose attitude turns the body box; "
+           "where they hit and, for\n"
+           "carving, where those without a return ended; world [m]. Clouds are float32 or float64 "
+           "of any layout: (N, 3) or\n"
+           "wider (columns x, y, z first), organised (H, W, 3) or wider, or with fields x, y, z; "
+           "C-ordered ones are not\n"
+           "copied. Points that are not finite, too near, in the body, out of range or outside the "
+           "window are counted, never\n"
+           "an error. Returns InsertStatistics.")
       .def(
           "recentre", [](Map& map, const ltp::Point& centre) { return own(map).recentre(centre); },
           "centre"_a,

@@ -30,6 +30,15 @@ std::unique_ptr<Kind> make(const ltp::Raster& priority, const ltp::Point& positi
                                 priority, position);
 }
 
+template <typename Kind>
+ltp::InsertStatistics sense(Kind& self, const bindings::Place& origin, const bindings::Points& hits,
+                            const std::optional<bindings::Points>& misses) {
+  const bindings::PointsInUse hit(hits, "hits");
+  const bindings::PointsInUse missed(misses, "misses");
+  const py::gil_scoped_release release;
+  return self.sense(origin.pose, hit.view(), missed.view());
+}
+
 ltp::NavigationStatus update(Ltp& self, const ltp::Point& position) {
   ltp::NavigationStatus status;
   {
@@ -83,8 +92,7 @@ void bind_concurrent(py::module_& m) {
            "Replaces what is left of the global path from the next scan on; (N, 3), world [m].")
       .def("set_priority", &Concurrent::set_priority, "priority"_a,
            "Another Raster in [0, 1], from the next scan on; until then there is no path.")
-      .def("sense", &Concurrent::sense, "origin"_a, "hits"_a, "misses"_a = ltp::Path(0, 3),
-           released,
+      .def("sense", &sense<Concurrent>, "origin"_a, "hits"_a, "misses"_a = py::none(),
            "Adds a scan, as LocalTrajectoryPlanner does, and hands the map over to be planned on; "
            "the UAV is at its origin.")
       .def(
@@ -196,11 +204,11 @@ void bind_local(py::module_& m) {
       .def("set_waypoints", &Ltp::set_waypoints, "waypoints"_a,
            "Replaces what is left of the global path; (N, 3), world [m].")
       .def("set_priority", &Ltp::set_priority, "priority"_a)
-      .def("sense", &Ltp::sense, "origin"_a, "hits"_a, "misses"_a = ltp::Path(0, 3),
-           py::call_guard<py::gil_scoped_release>(),
-           "Adds a scan: where its rays began (3,), where they hit (N, 3), and, for carving, where "
-           "those without a\n"
-           "return ended (M, 3); world [m].")
+      .def("sense", &sense<Ltp>, "origin"_a, "hits"_a, "misses"_a = py::none(),
+           "Adds a scan: where its rays began, (3,) or a Pose whose attitude turns the map's body "
+           "box; where they hit and,\n"
+           "for carving, where those without a return ended; world [m]. Clouds as "
+           "ObstacleMap.insert takes them.")
       .def(
           "load_map", [](Ltp& self, const FilePath& path) { self.load_map(path.string()); },
           "path"_a, py::call_guard<py::gil_scoped_release>(),

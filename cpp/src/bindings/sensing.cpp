@@ -79,6 +79,38 @@ py::array_t<double> cast_rays(const ltp::Surface& surface, const ltp::PathRef& o
   return ranges;
 }
 
+template <typename Number>
+std::unique_ptr<ltp::Scan> scan_of(const ltp::Lidar& lidar, const py::array& ranges,
+                                   const ltp::Pose& pose) {
+  const auto numbers = py::array_t<Number, py::array::c_style | py::array::forcecast>(ranges);
+  const Eigen::Map<const Eigen::Matrix<Number, Eigen::Dynamic, 1>> all(numbers.data(),
+                                                                       numbers.size());
+  const py::gil_scoped_release release;
+  auto scan = std::make_unique<ltp::Scan>();
+  lidar.from_ranges(all, pose, *scan);
+  return scan;
+}
+
+std::unique_ptr<ltp::Scan> from_ranges(const ltp::Lidar& lidar, const py::object& ranges,
+                                       const ltp::Pose& pose) {
+  const ltp::LidarPattern& pattern = lidar.options().pattern;
+  const py::array array = py::array::ensure(ranges);
+  const bool is_list = !py::hasattr(ranges, "dtype");
+  const bool floating = array && (array.dtype().kind() == 'f' ||
+                                  (is_list && array.size() > 0 && array.dtype().kind() == 'i'));
+  const bool shaped =
+      array && (array.ndim() == 1 || (array.ndim() == 2 && array.shape(0) == pattern.azimuths &&
+                                      array.shape(1) == pattern.rows));
+  if (!floating || !shaped || array.itemsize() > 8 || array.itemsize() < 4) {
+    throw py::type_error("ranges: expected shape (" + std::to_string(pattern.size()) + ",) or (" +
+                         std::to_string(pattern.azimuths) + ", " + std::to_string(pattern.rows) +
+                         "), azimuths by rows, of float32 or float64, got " +
+                         bindings::described(ranges));
+  }
+  return array.itemsize() == sizeof(float) ? scan_of<float>(lidar, array, pose)
+                                           : scan_of<double>(lidar, array, pose);
+}
+
 /// A read-only (N, 3) view of a scan's points that keeps the scan alive.
 template <std::vector<ltp::Point> ltp::Scan::*kPoints>
 py::array points_view(const py::object& self) {
@@ -103,17 +135,15 @@ void bind_surfaces(py::module_& m) {
       .def("cast", &cast, "origin"_a, "direction"_a, "max_range"_a,
            "The first hit nearer than max_range [m] of the ray from origin (3,) along the unit "
            "vector\ndirection (3,). A ray that starts inside the solid hits at range 0.")
-      .def("cast_rays", &cast_rays, py::arg("origins").noconvert(),
-           py::arg("directions").noconvert(), "max_range"_a,
+      .def("cast_rays", &cast_rays, "origins"_a, "directions"_a, "max_range"_a,
            "(N,): ranges [m] of the rays from origins (N, 3) [m] along the unit vectors directions "
-           "(N, 3),\nboth float64; inf: no hit nearer than max_range [m]. Neighbours with the same "
+           "(N, 3);\ninf: no hit nearer than max_range [m]. Neighbours with the same "
            "origin are cast\ntogether, a thousand or more of them several times faster.")
-      .def("first_collision", &ltp::Surface::first_collision, py::arg("path").noconvert(),
-           ReleaseGil(),
-           "Arc length [m] at which a path (N, 3), float64, first touches the solid, exactly along "
+      .def("first_collision", &ltp::Surface::first_collision, "path"_a, ReleaseGil(),
+           "Arc length [m] at which a path (N, 3) first touches the solid, exactly along "
            "its\nsegments; None if it never does. Grazing a top or a wall touches it.")
-      .def("clearance", &clearance, py::arg("points").noconvert(), "max_distance"_a,
-           "(N,): distance [m] from points (N, 3), float64, to the solid, 0 inside it, at most\n"
+      .def("clearance", &clearance, "points"_a, "max_distance"_a,
+           "(N,): distance [m] from points (N, 3) to the solid, 0 inside it, at most\n"
            "max_distance.");
 
   py::class_<ltp::HeightSurface, ltp::Surface>(
@@ -134,8 +164,8 @@ void bind_surfaces(py::module_& m) {
            }),
            "path"_a, ReleaseGil(),
            "Reads a .bt or .ot file. ValueError names the file and what is wrong with it.")
-      .def(py::init<const ltp::PathRef&, double>(), py::arg("points").noconvert(), "resolution"_a,
-           ReleaseGil(), "Voxels of edge resolution [m] that hold points (N, 3), float64 [m].")
+      .def(py::init<const ltp::PathRef&, double>(), "points"_a, "resolution"_a, ReleaseGil(),
+           "Voxels of edge resolution [m], 1e-6 to 1e6, that hold points (N, 3) [m].")
       .def_property_readonly("resolution", &ltp::OctreeSurface::resolution, "edge of a voxel [m]")
       .def_property_readonly("size", &ltp::OctreeSurface::size, "occupied voxels")
       .def_property_readonly("voxels", &ltp::OctreeSurface::voxels,
@@ -161,6 +191,8 @@ void bind_options(py::module_& m) {
   using Options = ltp::LidarOptions;
   options_class<Options>(m, "LidarOptions", "Settings of the LiDAR.")
       .field("pattern", &Options::pattern, "which rays")
+      .field("min_range", &Options::min_range,
+             "a return nearer than it is no return, nor a miss [m]")
       .field("max_range", &Options::max_range, "a return at or beyond it is no return [m]")
       .field("range_noise_sd", &Options::range_noise_sd, "standard deviation of a range [m]")
       .field("drop_out", &Options::drop_out, "probability that a return is lost, in [0, 1]")
@@ -171,8 +203,9 @@ void bind_scan(py::module_& m) {
   using Statistics = ltp::ScanStatistics;
   Fields<Statistics>(m, "ScanStatistics",
                      "What became of a scan's rays; the counts add up to all of them.")
-      .result("hits", &Statistics::hits, "returns nearer than the maximum range")
+      .result("hits", &Statistics::hits, "returns between the minimum and the maximum range")
       .result("misses", &Statistics::misses, "no return: +inf, or at or beyond the maximum range")
+      .result("too_near", &Statistics::too_near, "returns nearer than the minimum range")
       .result("invalid", &Statistics::invalid, "NaN, 0, negative or -inf")
       .result("dropped", &Statistics::dropped, "returns lost to drop-out");
 
@@ -215,15 +248,9 @@ void bind_sensing(py::module_& m) {
           "from\nrun to run. misses=False only counts the misses, which saves about half of the "
           "time.")
       .def(
-          "from_ranges",
-          [](const ltp::Lidar& lidar, const Eigen::Ref<const Eigen::VectorXd>& ranges,
-             const ltp::Pose& pose) {
-            auto scan = std::make_unique<ltp::Scan>();
-            lidar.from_ranges(ranges, pose, *scan);
-            return scan;
-          },
-          "ranges"_a, "pose"_a, ReleaseGil(),
-          "The scan that a real sensor's ranges (azimuths * rows,) [m] mean, in the order of\n"
-          "directions. NaN, 0, negative and -inf are invalid; +inf and anything at or beyond the\n"
+          "from_ranges", &from_ranges, "ranges"_a, "pose"_a,
+          "The scan that a real sensor's ranges (azimuths * rows,) or (azimuths, rows) [m] mean, "
+          "in the\norder of directions; float32 or float64. NaN, 0, negative and -inf are invalid; "
+          "what is nearer than\nthe minimum range is too near; +inf and anything at or beyond the "
           "maximum range is a miss.");
 }

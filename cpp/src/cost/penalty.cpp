@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ltp/cost/penalty.hpp"
 
+#include <cmath>
+
 #include "ltp/geometry/check.hpp"
+#include "ltp/geometry/norm.hpp"
 
 namespace ltp {
 
@@ -19,8 +22,11 @@ PathTally tally(const PathRef& path, const Raster& priority) {
   for (Eigen::Index i = 1; i < path.rows(); ++i) {
     const Point a = path.row(i - 1).transpose();
     const Point b = path.row(i).transpose();
-    sum.length += (b - a).norm();             // Eq. (2)
+    sum.length += norm(b - a);                // Eq. (2)
     sum.priority += priority.integral(a, b);  // Eq. (4), numerator
+  }
+  if (!std::isfinite(sum.length) || !std::isfinite(sum.priority)) {
+    check::fail("length of the path", sum.length, "a finite number, and a finite integral");
   }
   return sum;
 }

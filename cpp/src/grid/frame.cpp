@@ -29,6 +29,9 @@ GridFrame::GridFrame(const Point& origin, const Point& cell, const std::array<in
     text << dims[0] << " x " << dims[1] << " x " << dims[2];
     check::fail("dims", text.str(), "at most 2^31 - 1 cells in all");
   }
+  for (int axis = 0; axis < 3; ++axis) {
+    check::resolvable(std::string("cell.") + kAxis[axis], cell[axis], origin[axis], dims[axis]);
+  }
   prepare_axes();
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ltp/grid/neighbourhood.hpp"
 
+#include "ltp/geometry/norm.hpp"
+
 namespace ltp {
 
 int step_by(const Cell& offset) {
@@ -19,7 +21,7 @@ std::array<double, kSteps> step_lengths(const Point& cell) {
   std::array<double, kSteps> lengths{};
   for (int i = 0; i < kSteps; ++i) {
     const Step& step = steps()[i];
-    lengths[i] = Point(step.dx, step.dy, step.dz).cwiseProduct(cell).norm();
+    lengths[i] = norm(Point(step.dx, step.dy, step.dz).cwiseProduct(cell));
   }
   return lengths;
 }

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "ltp/geometry/check.hpp"
+#include "ltp/geometry/norm.hpp"
 #include "ltp/grid/bits.hpp"
 #include "ltp/grid/cell_finder.hpp"
 #include "ltp/grid/ray_walk.hpp"
@@ -44,10 +45,10 @@ OccupancyGrid::OccupancyGrid(const GridFrame& frame)
       words_per_column_((frame.nz() - 1) / 64 + 1),
       words_(static_cast<std::size_t>(frame.nx()) * frame.ny() * words_per_column_) {}
 
-void OccupancyGrid::blocked_at(const PathRef& points, bool* out) const {
+void OccupancyGrid::blocked_at(const PointsView& points, bool* out) const {
   CellFinder(frame_).for_each(
       points, [&](Eigen::Index i, const Cell& cell) { out[i] = blocked(cell); },
-      [&](Eigen::Index i) { out[i] = blocked_at(Point(points.row(i).transpose())); });
+      [&](Eigen::Index i) { out[i] = blocked_at(points[i]); });
 }
 
 void OccupancyGrid::set(const Cell& cell, bool blocked) {
@@ -125,13 +126,17 @@ std::optional<double> OccupancyGrid::first_blocked(const PathRef& path, double f
   for (Eigen::Index i = 1; i < path.rows(); ++i) {
     const Point a = path.row(i - 1).transpose();
     const Point b = path.row(i).transpose();
-    const double size = (b - a).norm();
+    const double size = norm(b - a);
     if (arc + size >= from) {
       const double t_min = size > 0.0 && from > arc ? (from - arc) / size : 0.0;
       const Point begin = a + t_min * (b - a);
       std::optional<double> touched;
-      const ClippedSegment<3> part =
-          clip_segment<3>(frame_.lattice(begin), frame_.lattice(b), low, high);
+      const Point from_lattice = frame_.lattice(begin);
+      const Point to_lattice = frame_.lattice(b);
+      if (!from_lattice.allFinite() || !to_lattice.allFinite()) {
+        check::fail("path", b.transpose(), "points at a finite number of cells from the grid");
+      }
+      const ClippedSegment<3> part = clip_segment<3>(from_lattice, to_lattice, low, high);
       if (!part.empty) {
         walk_segment<3>(part.a, part.b, [&](const Cell& number, double t_in, double) {
           const Cell cell = number - frame_.first();

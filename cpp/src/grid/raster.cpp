@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "ltp/geometry/check.hpp"
+#include "ltp/geometry/norm.hpp"
 #include "ltp/grid/ray_walk.hpp"
 
 namespace ltp {
@@ -26,6 +27,8 @@ Raster::Raster(Values values, const Eigen::Vector2d& origin, double cell, double
   check::finite("origin.y", origin.y());
   check::positive("cell", cell);
   check::finite("outside", outside);
+  check::resolvable("cell", cell, origin.x(), values_.rows());
+  check::resolvable("cell", cell, origin.y(), values_.cols());
   if (values_.size() == 0) {
     check::fail("values.shape", "(" + std::to_string(nx()) + ", " + std::to_string(ny()) + ")",
                 "at least one cell");
@@ -64,11 +67,15 @@ double Raster::bilinear(double x, double y) const {
 }
 
 double Raster::integral(const Point& a, const Point& b) const {
-  const double length = (b - a).norm();
+  const double length = norm(b - a);
   if (length == 0.0) return 0.0;
+  const Eigen::Vector2d from = (a.head<2>() - origin_) / cell_;
+  const Eigen::Vector2d to = (b.head<2>() - origin_) / cell_;
+  if (!from.allFinite() || !to.allFinite()) {
+    check::fail("segment", b.transpose(), "points at a finite number of cells from the raster");
+  }
   const ClippedSegment<2> part =
-      clip_segment<2>((a.head<2>() - origin_) / cell_, (b.head<2>() - origin_) / cell_,
-                      Eigen::Vector2d::Zero(), Eigen::Vector2d(nx(), ny()));
+      clip_segment<2>(from, to, Eigen::Vector2d::Zero(), Eigen::Vector2d(nx(), ny()));
   if (part.empty) return outside_ * length;
   double sum = 0.0;
   walk_segment<2>(part.a, part.b, [&](const Eigen::Vector2i& cell, double t_in, double t_out) {

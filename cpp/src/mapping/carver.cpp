@@ -23,14 +23,15 @@ Carver::Carver(const GridFrame& voxels, const ObstacleMapOptions& options)
       passed_(voxels),
       followed_(voxels) {}
 
-void Carver::follow(const Point& origin, const PathRef& ends) {
+void Carver::follow(const Point& origin, const OwnReturns& own, const PointsView& ends) {
   const double range = options_.max_range;
   const Point from = frame_.lattice(origin);
   const bool from_inside = frame_.contains(origin);
   const auto follow_to = [&](Eigen::Index i) {
-    Point end = ends.row(i).transpose();
+    Point end = ends[i];
     const double square = (end - origin).squaredNorm();
     if (!std::isfinite(square)) return;
+    if (own(end - origin) != OwnReturns::Verdict::Obstacle) return;
     if (const double length = std::sqrt(square); length > range) {
       end = origin + (range / length) * (end - origin);
     }
@@ -49,7 +50,7 @@ void Carver::follow(const Point& origin, const PathRef& ends) {
   // Most rays end where another one did, most of them at the maximum range or a hair beyond: not
   // far enough to matter for their voxel.
   constexpr double kHair = 1e-6;
-  CellFinder(frame_, origin, range * (1.0 + kHair), 2.0 * kHair * range)
+  CellFinder(frame_, {origin, own.reach(), range * (1.0 + kHair)}, 2.0 * kHair * range)
       .for_each(
           ends,
           [&](Eigen::Index i, const Cell& voxel) {

@@ -38,15 +38,20 @@ GridFrame voxel_frame(const ObstacleMapOptions& options, const Point& centre) {
   return at_origin.shifted(scaled(cells.shift_to_centre(centre), ratio));
 }
 
+void check_sensor(const Pose& sensor) {
+  check::finite("origin", sensor.position);
+  check::finite("sensor", sensor);
+}
+
 /// Points that are not finite.
-std::int64_t count_invalid(const PathRef& points) {
-  if (points.outerStride() == 3) {
+std::int64_t count_invalid(const PointsView& points) {
+  if (points.stride() == 3 && points.scalar() == PointsView::Scalar::Double) {
     // Times zero, all that is finite vanishes, and nothing else does.
-    const Eigen::Map<const Eigen::ArrayXd> numbers(points.data(), points.size());
+    const Eigen::Map<const Eigen::ArrayXd> numbers(points.data<double>(), 3 * points.rows());
     if ((numbers * 0.0).sum() == 0.0) return 0;
   }
   std::int64_t count = 0;
-  for (Eigen::Index i = 0; i < points.rows(); ++i) count += !points.row(i).allFinite();
+  for (Eigen::Index i = 0; i < points.rows(); ++i) count += !points[i].allFinite();
   return count;
 }
 
@@ -62,11 +67,14 @@ ObstacleMap::ObstacleMap(const ObstacleMapOptions& options, const Point& centre)
   if (options.carve_free_space) carver_.emplace(voxels_.frame(), options);
 }
 
-InsertStatistics ObstacleMap::insert(const Point& origin, const PathRef& hits,
-                                     const PathRef& misses) {
-  check::finite("origin", origin);
+InsertStatistics ObstacleMap::insert(const Pose& sensor, const PointsView& hits,
+                                     const PointsView& misses) {
+  check_sensor(sensor);
+  const Point& origin = sensor.position;
+  const OwnReturns own(options_, sensor);
   InsertStatistics statistics;
   const double range = Carver::hit_range(options_);
+  using Verdict = OwnReturns::Verdict;
   const auto mark = [&](const Cell& voxel) {
     ++statistics.marked;
     if (carver_) return carver_->mark(voxel);
@@ -74,13 +82,16 @@ InsertStatistics ObstacleMap::insert(const Point& origin, const PathRef& hits,
     voxels_.set(voxel);
     statistics.new_cells += occupy_cell_of(voxel);
   };
-  CellFinder(voxels_.frame(), origin, range)
+  CellFinder(voxels_.frame(), {origin, own.reach(), range})
       .for_each(
           hits, [&](Eigen::Index, const Cell& voxel) { mark(voxel); },
           [&](Eigen::Index i) {
-            const Point hit = hits.row(i).transpose();
-            if (!((hit - origin).squaredNorm() < range * range)) {  // NaN comes here, too
+            const Point hit = hits[i];
+            const Point offset = hit - origin;
+            if (!(offset.squaredNorm() < range * range)) {  // NaN comes here, too
               ++(hit.allFinite() ? statistics.out_of_range : statistics.invalid);
+            } else if (const Verdict verdict = own(offset); verdict != Verdict::Obstacle) {
+              ++(verdict == Verdict::TooNear ? statistics.too_near : statistics.in_body);
             } else if (const std::optional<Cell> voxel = voxels_.frame().find(hit)) {
               mark(*voxel);
             } else {
@@ -88,16 +99,17 @@ InsertStatistics ObstacleMap::insert(const Point& origin, const PathRef& hits,
             }
           });
   statistics.invalid += count_invalid(misses);
-  if (carver_) carve(origin, hits, misses, statistics);
+  if (carver_) carve(origin, own, hits, misses, statistics);
   if (statistics.new_cells > 0 || statistics.erased_cells > 0) ++version_;
+  totals_ += statistics;
   return statistics;
 }
 
-void ObstacleMap::carve(const Point& origin, const PathRef& hits, const PathRef& misses,
-                        InsertStatistics& statistics) {
+void ObstacleMap::carve(const Point& origin, const OwnReturns& own, const PointsView& hits,
+                        const PointsView& misses, InsertStatistics& statistics) {
   Cell erased_low(occupied_.frame().nx(), occupied_.frame().ny(), occupied_.frame().nz());
   Cell erased_high = Cell::Zero();
-  carver_->insert(origin, hits, misses, voxels_, [&](const Cell& voxel, bool occupied) {
+  carver_->insert(origin, own, hits, misses, voxels_, [&](const Cell& voxel, bool occupied) {
     if (occupied) {
       statistics.new_cells += occupy_cell_of(voxel);
     } else if (const Cell cell = cell_of_voxel(voxel); !any_voxel_in(cell)) {
@@ -113,11 +125,11 @@ void ObstacleMap::carve(const Point& origin, const PathRef& hits, const PathRef&
   }
 }
 
-InsertStatistics ObstacleMap::sense(const Point& origin, const PathRef& hits, const PathRef& misses,
-                                    const Leaving& leaving) {
-  check::finite("origin", origin);
-  recentre(origin, leaving);
-  return insert(origin, hits, misses);
+InsertStatistics ObstacleMap::sense(const Pose& sensor, const PointsView& hits,
+                                    const PointsView& misses, const Leaving& leaving) {
+  check_sensor(sensor);
+  recentre(sensor.position, leaving);
+  return insert(sensor, hits, misses);
 }
 
 Cell ObstacleMap::recentre(const Point& centre, const Leaving& leaving) {

@@ -51,6 +51,16 @@ void ObstacleMapOptions::check() const {
   }
   check::not_negative("inflation_radius", inflation_radius);
   check::positive("max_range", max_range);
+  check::not_negative("blind_distance", blind_distance);
+  if (!(blind_distance < max_range)) {
+    check::fail("blind_distance", blind_distance, "less than max_range, or nothing is mapped");
+  }
+  check::finite("body_min", body_min);
+  check::finite("body_max", body_max);
+  if (has_body() && !(body_min.array() < body_max.array()).all()) {
+    check::fail("body_max", body_max.transpose(),
+                "a corner above body_min along each axis, or twice the same point for no box");
+  }
   check_log_odds("hit_log_odds", hit_log_odds, 1.0);
   check_log_odds("miss_log_odds", miss_log_odds, -1.0);
   check_log_odds("min_log_odds", min_log_odds, -1.0);

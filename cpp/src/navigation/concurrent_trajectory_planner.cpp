@@ -55,12 +55,12 @@ void ConcurrentTrajectoryPlanner::nothing_decided() {
   given_ = &none_;
 }
 
-InsertStatistics ConcurrentTrajectoryPlanner::sense(const Point& origin, const PathRef& hits,
-                                                    const PathRef& misses) {
+InsertStatistics ConcurrentTrajectoryPlanner::sense(const Pose& sensor, const PointsView& hits,
+                                                    const PointsView& misses) {
   pass_on_failure();
-  const InsertStatistics statistics = map_.sense(origin, hits, misses);
+  const InsertStatistics statistics = map_.sense(sensor, hits, misses);
   ++scan_;
-  position_ = origin;
+  position_ = sensor.position;
   hand_over();
   return statistics;
 }

@@ -28,9 +28,9 @@ LocalTrajectoryPlanner::LocalTrajectoryPlanner(const ObstacleMapOptions& map_opt
                                                const Point& position)
     : LocalTrajectoryPlanner(make_planner(), map_options, options, std::move(priority), position) {}
 
-InsertStatistics LocalTrajectoryPlanner::sense(const Point& origin, const PathRef& hits,
-                                               const PathRef& misses) {
-  return map_.sense(origin, hits, misses, remembering(navigator_));
+InsertStatistics LocalTrajectoryPlanner::sense(const Pose& sensor, const PointsView& hits,
+                                               const PointsView& misses) {
+  return map_.sense(sensor, hits, misses, remembering(navigator_));
 }
 
 void LocalTrajectoryPlanner::clear_map() {

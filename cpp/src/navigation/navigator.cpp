@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ltp/geometry/check.hpp"
+#include "ltp/geometry/norm.hpp"
 #include "ltp/geometry/polyline.hpp"
 #include "ltp/planning/grid_planner.hpp"
 #include "planning/search/flood.hpp"
@@ -220,7 +221,7 @@ void Navigator::replan(const MapView& map, const Point& position,
       retire(map, NavigationReason::Unreachable, position);
       continue;
     }
-    plans_.push_back({next_, (query.goal - query.start).norm(),
+    plans_.push_back({next_, norm(query.goal - query.start),
                       planner_->plan({map.blocked, priority_}, query, budget)});
     ++plans_made_;
     const Plan& plan = plans_.back().plan;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ltp/geometry/check.hpp"
+#include "ltp/geometry/norm.hpp"
 
 namespace ltp {
 namespace {
@@ -82,7 +83,7 @@ Problem::Problem(const Scene& the_scene, const Query& the_query, const PenaltyWe
   goal = frame().cell_of(query.goal);
   altitudes = altitudes_of(query);
   levels = levels_of(frame(), query);
-  direct_length = (query.goal - query.start).norm();
+  direct_length = norm(query.goal - query.start);
   column_priority = is_constant_on_columns(scene.priority, frame());
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "ltp/geometry/check.hpp"
+#include "ltp/geometry/norm.hpp"
 
 namespace ltp {
 namespace {
@@ -104,7 +105,7 @@ std::optional<double> HeightSurface::first_collision(const PathRef& path) const 
   for (Eigen::Index n = 0; n < path.rows(); ++n) {
     const Point b = path.row(n).transpose();
     const Point a = n > 0 ? Point(path.row(n - 1).transpose()) : b;
-    const double size = (b - a).norm();
+    const double size = norm(b - a);
     const double t = first_touch(heights_, a, b);
     if (t <= 1.0) return arc + t * size;
     arc += size;

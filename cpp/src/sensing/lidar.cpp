@@ -81,6 +81,8 @@ class Sorter {
   void add_range(Eigen::Index ray, double range) {
     if (!(range > 0.0)) {  // negated for NaN
       ++out_.statistics.invalid;
+    } else if (range < options_.min_range) {
+      ++out_.statistics.too_near;
     } else if (range >= options_.max_range) {
       miss(ray, ray + 1);
     } else {
@@ -88,13 +90,15 @@ class Sorter {
     }
   }
 
-  /// A true hit, seen by a sensor with noise.
-  void add_noisy(Eigen::Index ray, double range, const Point& inside, std::uint64_t sequence) {
+  /// A true hit, seen by a sensor with noise or a minimum range.
+  void add_hit(Eigen::Index ray, double range, const Point& inside, std::uint64_t sequence) {
     const sensing::RayNoise noise(options_.seed, sequence, static_cast<std::uint64_t>(ray));
     if (noise.uniform(kDropOutDraw) < options_.drop_out) {
       ++out_.statistics.dropped;
     } else if (options_.range_noise_sd > 0.0) {
       add_range(ray, range + options_.range_noise_sd * noise.normal(kRangeDraw));
+    } else if (range < options_.min_range) {
+      ++out_.statistics.too_near;
     } else {
       out_.hits.push_back(inside);
     }
@@ -142,6 +146,8 @@ void LidarPattern::check() const {
 void LidarOptions::check() const {
   pattern.check();
   check::positive("max_range", max_range);
+  check::not_negative("min_range", min_range);
+  if (!(min_range < max_range)) check::fail("min_range", min_range, "less than max_range");
   check::not_negative("range_noise_sd", range_noise_sd);
   if (!(drop_out >= 0.0 && drop_out <= 1.0)) check::fail("drop_out", drop_out, "within [0, 1]");
 }
@@ -164,8 +170,9 @@ void Lidar::scan(const Surface& surface, const Pose& pose, std::uint64_t sequenc
   static thread_local std::vector<Eigen::Vector2d> turned_headings;
   Sorter sorter(options_, directions_, pose, misses, out);
   const Eigen::Matrix3d& turn = sorter.turn();
-  const bool noisy = options_.range_noise_sd > 0.0 || options_.drop_out > 0.0;
-  if (!noisy) hits.swap_inside(out.hits);  // to be found where they are wanted
+  const bool sorted =
+      options_.range_noise_sd > 0.0 || options_.drop_out > 0.0 || options_.min_range > 0.0;
+  if (!sorted) hits.swap_inside(out.hits);  // to be found where they are wanted
   hits.reset(directions_.rows());
 
   const bool level = (turn.col(2) - Point::UnitZ()).norm() <= kLevel;
@@ -179,28 +186,38 @@ void Lidar::scan(const Surface& surface, const Pose& pose, std::uint64_t sequenc
     surface.cast_bundle(pose.position, turn, directions_, options_.max_range, hits);
   }
 
-  if (noisy) {
+  if (sorted) {
     out.hits.clear();
     out.hits.reserve(directions_.rows());
   }
-  if (noisy || misses == Misses::Listed) {
+  if (sorted || misses == Misses::Listed) {
     std::int64_t next = 0;
     for (std::int64_t n = 0; n < hits.size(); ++n) {
       const std::int32_t ray = hits.ray(n);
       sorter.miss(next, ray);
-      if (noisy) sorter.add_noisy(ray, hits.range(n), hits.inside(n), sequence);
+      if (sorted) sorter.add_hit(ray, hits.range(n), hits.inside(n), sequence);
       next = ray + 1;
     }
     sorter.miss(next, directions_.rows());
   } else {
     sorter.miss(hits.size(), directions_.rows());  // whichever they are
   }
-  if (!noisy) hits.swap_inside(out.hits);
+  if (!sorted) hits.swap_inside(out.hits);
   sorter.finish();
 }
 
 void Lidar::from_ranges(const Eigen::Ref<const Eigen::VectorXd>& ranges, const Pose& pose,
                         Scan& out) const {
+  sort_ranges(ranges, pose, out);
+}
+
+void Lidar::from_ranges(const Eigen::Ref<const Eigen::VectorXf>& ranges, const Pose& pose,
+                        Scan& out) const {
+  sort_ranges(ranges, pose, out);
+}
+
+template <typename Ranges>
+void Lidar::sort_ranges(const Ranges& ranges, const Pose& pose, Scan& out) const {
   if (ranges.size() != directions_.rows()) {
     check::fail("ranges.size", ranges.size(), "one range a ray: azimuths * rows");
   }

@@ -15,6 +15,14 @@ namespace ltp {
 namespace {
 
 constexpr double kFarthest = 1e9;  // voxels from the world's origin
+/// Edges of a voxel that leave room for the depth of a hit, and for rounding where cities lie [m].
+constexpr double kFinest = 1e-6;
+constexpr double kCoarsest = 1e6;
+
+void check_resolution(double resolution) {
+  if (resolution >= kFinest && resolution <= kCoarsest) return;
+  check::fail("resolution", resolution, "from 1e-6 to 1e6 m");
+}
 
 /// A cube of occupied voxels, counted on the lattice through the world's origin.
 struct Cube {
@@ -23,7 +31,7 @@ struct Cube {
 };
 
 std::vector<Cube> occupied_cubes(const OctreeLeaves& octree) {
-  check::positive("resolution", octree.resolution);
+  check_resolution(octree.resolution);
   std::vector<Cube> cubes;
   for (const OctreeLeaf& leaf : octree.leaves) {
     if (!leaf.occupied()) continue;
@@ -38,7 +46,7 @@ std::vector<Cube> occupied_cubes(const OctreeLeaves& octree) {
 }
 
 std::vector<Cube> voxels_of(const PathRef& points, double resolution) {
-  check::positive("resolution", resolution);
+  check_resolution(resolution);
   std::vector<Cube> cubes;
   cubes.reserve(points.rows());
   for (Eigen::Index n = 0; n < points.rows(); ++n) {

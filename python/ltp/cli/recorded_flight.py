@@ -6,7 +6,7 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .output import console, say
+from .output import console, note, say
 
 if TYPE_CHECKING:
     import numpy as np
@@ -14,8 +14,26 @@ if TYPE_CHECKING:
 
     from ltp._core import Raster
     from ltp.config import MissionConfig
+    from ltp.sim import MissionSetup, Step
     from ltp.sim.record import FlightRecord
     from ltp.world import World
+
+
+class _MapLosses:
+    """Observes which hits a flight's obstacle map lost, and says so in sentences."""
+
+    def __init__(self) -> None:
+        self.sentences: list[str] = []
+
+    def on_start(self, setup: "MissionSetup") -> None:
+        """Nothing yet."""
+
+    def on_step(self, step: "Step") -> None:
+        """Keep what the map says by now."""
+        self.sentences = step.map.totals.warnings(step.map.options)
+
+    def on_end(self, record: "FlightRecord") -> None:
+        """Nothing more."""
 
 
 def fly_recorded(
@@ -40,14 +58,21 @@ def fly_recorded(
     from .progress import FlightProgress
 
     sensed = SensedTrace()
+    losses = _MapLosses()
     recorded = has_rerun() if wanted is None else wanted
     with ExitStack() as stack:
-        observers: list[Any] = [stack.enter_context(FlightProgress(console(), title)), sensed]
+        observers: list[Any] = [
+            stack.enter_context(FlightProgress(console(), title)),
+            sensed,
+            losses,
+        ]
         if recorded:
             from ltp.viewer import FlightRecording
 
             observers.append(stack.enter_context(FlightRecording(recording)))
         record = fly_mission(world, config, global_path, observers, priority)
+    for sentence in losses.sentences:
+        note(f"map: {sentence}")
     if not recorded and wanted is None:
         say(f"no recording: it needs {pip_install('viewer')}")
     return record, sensed, recording if recorded else None

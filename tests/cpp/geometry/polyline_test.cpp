@@ -137,5 +137,57 @@ TEST(Polyline, LooksNoFartherThanItIsTold) {
   EXPECT_THROW(closest_point(path, Point::Zero(), 0.0, kNan), std::invalid_argument);
 }
 
+/// Whole powers of ten that the square of a length cannot hold, and those that it can.
+constexpr double kScales[] = {1e-300, 2e-292, 9.9e-272, 1e-200, 1e-160, 1e-100, 1.0,
+                              1e100,  1e150,  1e154,    1e200,  1e250,  1e300};
+
+TEST(Polyline, ScalesWithItsUnits) {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> share(-0.2, 1.2);
+  for (int round = 0; round < 20; ++round) {
+    const Path path = random_path(6, random) / 16.0;
+    const Point point = random_path(1, random).row(0).transpose() / 16.0;
+    const double whole = length(path);
+    const double arc = share(random) * whole;
+    const Point at = point_at(path, arc);
+    const ClosestPoint closest = closest_point(path, point, 0.3 * whole);
+    const Path points = resample(path, whole / 7.5);
+    for (const double scale : kScales) {
+      const Path scaled = scale * path;
+      EXPECT_NEAR(length(scaled) / scale, whole, 1e-12);
+      EXPECT_LT((point_at(scaled, scale * arc) / scale - at).norm(), 1e-12);
+      const ClosestPoint found = closest_point(scaled, scale * point, scale * (0.3 * whole));
+      EXPECT_LT((found.point / scale - closest.point).norm(), 1e-12);
+      EXPECT_NEAR(found.arc_length / scale, closest.arc_length, 1e-12);
+      EXPECT_NEAR(found.distance / scale, closest.distance, 1e-12);
+      const Path resampled = resample(scaled, scale * (whole / 7.5));
+      ASSERT_EQ(resampled.rows(), points.rows());
+      EXPECT_LT((resampled / scale - points).cwiseAbs().maxCoeff(), 1e-12);
+    }
+  }
+}
+
+TEST(Polyline, KeepsBothEndsHoweverShortOrLong) {
+  for (const double scale : kScales) {
+    const Path path = rows({{0, 0, 0}, {scale, 0, 0}, {scale, -0.5 * scale, 0.25 * scale}});
+    for (const double spacing : {0.1 * scale, scale, 1.0, 1e300}) {
+      if (scale / spacing > 1e6) continue;
+      const Path points = resample(path, spacing);
+      EXPECT_EQ(points.row(0), path.row(0)) << scale << " " << spacing;
+      EXPECT_EQ(points.row(points.rows() - 1), path.row(2)) << scale << " " << spacing;
+    }
+  }
+}
+
+TEST(Polyline, RefusesDistancesThatOverflow) {
+  const Path path = rows({{-1.5e308, 0, 0}, {1.5e308, 0, 0}});
+  EXPECT_THROW(length(path), std::invalid_argument);
+  EXPECT_THROW(point_at(path, 1.0), std::invalid_argument);
+  EXPECT_THROW(resample(path, 1e307), std::invalid_argument);
+  EXPECT_THROW(closest_point(path, Point::Zero()), std::invalid_argument);
+  EXPECT_THROW(closest_point(rows({{1.5e308, 0, 0}}), Point(-1.5e308, 0, 0)),
+               std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace ltp

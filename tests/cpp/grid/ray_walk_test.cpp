@@ -385,5 +385,34 @@ TEST(RayWalk, ReportsTheTwoCellsBesideACornerThatItPasses) {
   EXPECT_EQ(cells, expected);
 }
 
+TEST(RayWalk, ClipsSegmentsHoweverLong) {
+  const Eigen::Vector3d low(0, 0, 0);
+  const Eigen::Vector3d high(8, 8, 8);
+  for (const double far : {1e3, 1e9, 1e12, 1e17, 1e100, 1e200, 1e300}) {
+    for (const double sign : {-1.0, 1.0}) {
+      // Through a row, along the diagonal, into a cell, out of it.
+      const std::vector<std::array<Eigen::Vector3d, 2>> segments = {
+          {Eigen::Vector3d(-sign * far, 5.5, 2.5), Eigen::Vector3d(sign * far, 5.5, 2.5)},
+          {Eigen::Vector3d::Constant(-sign * far), Eigen::Vector3d::Constant(sign * far)},
+          {Eigen::Vector3d(sign * far, 5.5, 2.5), Eigen::Vector3d(3.5, 5.5, 2.5)},
+          {Eigen::Vector3d(3.5, 5.5, 2.5), Eigen::Vector3d(3.5, sign * far, 2.5)}};
+      const std::vector<int> least = {8, 8, 4, 3};
+      for (std::size_t n = 0; n < segments.size(); ++n) {
+        const auto part = clip_segment<3>(segments[n][0], segments[n][1], low, high);
+        ASSERT_FALSE(part.empty) << far << " " << n;
+        int inside = 0;
+        walk_segment<3>(part.a, part.b, [&](const Eigen::Vector3i& cell, double, double) {
+          inside += (cell.array() >= 0).all() && (cell.array() < 8).all();
+          return true;
+        });
+        EXPECT_GE(inside, least[n]) << far << " " << n;
+      }
+      EXPECT_TRUE(clip_segment<3>(Eigen::Vector3d(-sign * far, 15.5, 2.5),
+                                  Eigen::Vector3d(sign * far, 15.5, 2.5), low, high)
+                      .empty);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ltp

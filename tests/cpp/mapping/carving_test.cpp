@@ -25,6 +25,7 @@ ObstacleMapOptions carving_map(bool keep_hits) {
   ObstacleMapOptions options;
   options.dims = {16, 14, 8};
   options.max_range = 25.0;
+  options.blind_distance = 0.0;  // any hit counts
   options.carve_free_space = true;
   options.keep_hits = keep_hits;
   return options;
@@ -183,6 +184,7 @@ TEST(Carving, WithoutKeepingHitsItIsOctoMap) {
   ObstacleMapOptions options;
   options.dims = {40, 40, 20};
   options.max_range = 60.0;
+  options.blind_distance = 0.0;  // as OctoMap's
   options.carve_free_space = true;
   options.keep_hits = false;
   options.hit_log_odds = tree.getProbHitLog();

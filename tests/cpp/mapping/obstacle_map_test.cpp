@@ -12,6 +12,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ltp {
@@ -25,6 +26,7 @@ ObstacleMapOptions small_map() {
   ObstacleMapOptions options;
   options.dims = {20, 16, 10};
   options.max_range = 30.0;
+  options.blind_distance = 0.0;  // any hit counts
   return options;
 }
 
@@ -149,7 +151,7 @@ TEST(ObstacleMap, AReturnAtTheMaximumRangeMarksNothing) {
         Point(normal(random), normal(random), 0.3 * normal(random)).normalized();
     // Rounding may put it a little nearer than the maximum range: that is still the maximum range.
     const InsertStatistics statistics =
-        map.insert(origin, (origin + options.max_range * direction).transpose());
+        map.insert(origin, Path((origin + options.max_range * direction).transpose()));
     ASSERT_EQ(statistics.out_of_range, 1);
     ASSERT_EQ(statistics.marked, 0);
     ASSERT_EQ(map.voxels().count(), 0);
@@ -307,6 +309,73 @@ TEST(ObstacleMapOptions, NamesTheFieldThatIsWrong) {
     }
   }
   EXPECT_NO_THROW(ObstacleMapOptions().check());
+}
+
+TEST(ObstacleMap, TakesNoOwnReturnForAnObstacle) {
+  ObstacleMapOptions options = small_map();
+  options.blind_distance = 1.0;
+  options.body_min = Point(-1.0, -3.0, -1.0);
+  options.body_max = Point(2.5, 3.0, 1.0);
+  Pose sensor;
+  sensor.position = Point(100.3, -40.2, 20.1);
+  sensor.world_from_body = Eigen::AngleAxisd(0.5, Point(1, 2, 3).normalized());
+  const std::vector<std::pair<Point, char>> returns = {
+      {{0, 0, 0}, 'n'},      {{0.42, 0.42, 0}, 'n'}, {{0, 0, -0.999}, 'n'}, {{0, 2.9, 0.9}, 'b'},
+      {{2.4, 0, -0.9}, 'b'}, {{-1.1, 0, 0}, 'm'},    {{2.6, 0, 0}, 'm'},    {{0, 3.1, 0}, 'm'},
+      {{0, 0, 1.1}, 'm'},    {{8, 0, 0}, 'm'},       {{29, 29, 0}, 'r'}};
+  Path hits(returns.size(), 3);
+  Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> floats(returns.size(), 3);
+  for (std::size_t i = 0; i < returns.size(); ++i) {
+    hits.row(i) = (sensor.position + sensor.world_from_body * returns[i].first).transpose();
+    floats.row(i) = hits.row(i).cast<float>();
+  }
+  for (const bool carve : {false, true}) {
+    options.carve_free_space = carve;
+    ObstacleMap map(options, sensor.position);
+    const InsertStatistics found = map.sense(sensor, hits, PointsView());
+    EXPECT_EQ(found.too_near, 3);
+    EXPECT_EQ(found.in_body, 2);
+    EXPECT_EQ(found.marked, 5);
+    EXPECT_EQ(found.out_of_range, 1);
+    for (std::size_t i = 0; i < returns.size(); ++i) {
+      if (returns[i].second == 'm') {
+        EXPECT_TRUE(map.voxels().blocked_at(Point(hits.row(i).transpose())));
+      }
+    }
+    ObstacleMap of_floats(options, sensor.position);
+    EXPECT_EQ(of_floats.sense(sensor, floats, PointsView()).marked, 5);
+    EXPECT_EQ(of_floats.voxels(), map.voxels());
+    EXPECT_EQ(map.totals().too_near, 3);
+    map.sense(sensor, hits, PointsView());
+    EXPECT_EQ(map.totals().too_near, 6);
+  }
+}
+
+TEST(ObstacleMap, SaysWhatItLoses) {
+  ObstacleMapOptions options = small_map();
+  options.blind_distance = 1.0;
+  ObstacleMap map(options);
+  map.insert(Point(0, 0, 0), rows({{5, 5, 5}, {6, 0, 0}}));
+  EXPECT_TRUE(map.totals().warnings(options).empty());
+  map.insert(Point(0, 0, 0), rows({{40, 0, 0}, {0, 0, 25}, {0, 0, 0}}));
+  const std::vector<std::string> sentences = map.totals().warnings(options);
+  ASSERT_EQ(sentences.size(), 3u);
+  EXPECT_EQ(sentences[0].find("1 of 5 hits lie at or beyond the map's max_range of 30 m"), 0u);
+  EXPECT_NE(sentences[1].find("window of 40 m x 32 m x 40 m"), std::string::npos);
+  EXPECT_NE(sentences[2].find("blind_distance of 1 m"), std::string::npos);
+}
+
+TEST(ObstacleMap, RefusesToBeBlind) {
+  for (const double distance : {-1.0, kNan, kInfinity, 30.0, 31.0}) {
+    ObstacleMapOptions options = small_map();
+    options.blind_distance = distance;
+    EXPECT_THROW(ObstacleMap{options}, std::invalid_argument) << distance;
+  }
+  ObstacleMapOptions options = small_map();
+  options.body_max = Point(1, 1, 0);  // flat
+  EXPECT_THROW(ObstacleMap{options}, std::invalid_argument);
+  options.body_max = Point(1, kNan, 1);
+  EXPECT_THROW(ObstacleMap{options}, std::invalid_argument);
 }
 
 }  // namespace

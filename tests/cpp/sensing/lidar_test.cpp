@@ -44,7 +44,9 @@ LidarOptions small_lidar() {
   return options;
 }
 
-std::int64_t total(const ScanStatistics& s) { return s.hits + s.misses + s.invalid + s.dropped; }
+std::int64_t total(const ScanStatistics& s) {
+  return s.hits + s.misses + s.too_near + s.invalid + s.dropped;
+}
 
 bool same(const Scan& a, const Scan& b) { return a.hits == b.hits && a.misses == b.misses; }
 
@@ -345,6 +347,31 @@ TEST(Lidar, AWarmScanAllocatesNothing) {
     }
     EXPECT_EQ(test::allocations() - before, 0);
   }
+}
+
+TEST(Lidar, SeesNothingNearerThanItsMinimumRange) {
+  LidarOptions options;
+  options.pattern.azimuths = 6;
+  options.pattern.rows = 1;
+  options.pattern.elevation_from_deg = options.pattern.elevation_to_deg = 0.0;
+  options.min_range = 2.0;
+  options.max_range = 10.0;
+  const Lidar lidar(options);
+  Eigen::VectorXd ranges(6);
+  ranges << 1.999, 2.0, 9.0, 10.0, 0.0, 0.5;
+  Scan scan;
+  lidar.from_ranges(ranges, Pose(), scan);
+  EXPECT_EQ(scan.statistics.too_near, 2);
+  EXPECT_EQ(scan.statistics.hits, 2);
+  EXPECT_EQ(scan.statistics.misses, 1);
+  EXPECT_EQ(scan.statistics.invalid, 1);
+  const Eigen::VectorXf floats = ranges.cast<float>();
+  Scan same;
+  lidar.from_ranges(floats, Pose(), same);
+  EXPECT_EQ(same.statistics.too_near, 2);
+  EXPECT_EQ(same.hits, scan.hits);
+  options.min_range = 10.0;
+  EXPECT_THROW(Lidar{options}, std::invalid_argument);
 }
 
 }  // namespace

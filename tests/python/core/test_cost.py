@@ -4,6 +4,7 @@
 
 import itertools
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -156,3 +157,92 @@ def test_what_is_no_number_is_refused() -> None:
     for function in (lambda p: resample(p, 1.0), lambda p: point_at(p, 0.0)):
         with pytest.raises(ValueError, match=r"^path = "):
             function(np.empty((0, 3)))
+
+
+SCALES = (1e-300, 2e-292, 9.9e-272, 1e-160, 1e-100, 1.0, 1e100, 1e154, 1e250, 1e299)
+
+
+@settings(deadline=None, max_examples=60)
+@given(path=PATHS, share=st.floats(0, 1), scale=st.sampled_from(SCALES))
+def test_whatever_the_unit_a_path_keeps_its_shape(
+    path: np.ndarray, share: float, scale: float
+) -> None:
+    path = np.round(path, 3) / 64.0  # no length of it under- or overflows by itself
+    whole = path_length(path)
+    scaled = path * scale
+    assert path_length(scaled) == pytest.approx(whole * scale, rel=1e-12)
+    at = point_at(path, share * whole)
+    np.testing.assert_allclose(point_at(scaled, share * whole * scale) / scale, at, atol=1e-9)
+    point, _, distance = closest_point(path, (0.1, 0.2, 0.3))
+    found = closest_point(scaled, np.array((0.1, 0.2, 0.3)) * scale)
+    np.testing.assert_allclose(found[0] / scale, point, atol=1e-7)
+    assert found[2] / scale == pytest.approx(distance, abs=1e-9)
+    for spacing in (max(whole, 1e-3) / 3.5 * scale, 1.0):
+        if whole * scale / spacing > 100:
+            continue
+        points = resample(scaled, spacing)
+        np.testing.assert_array_equal(points[0], scaled[0])
+        if whole > 0:
+            np.testing.assert_array_equal(points[-1], scaled[-1])
+
+
+@pytest.mark.parametrize("scale", SCALES)
+def test_a_tally_knows_no_unit(scale: float) -> None:
+    raster = ltp.Raster(np.array([[1, 1], [0.25, 0.25]]), cell=10.0 * scale)
+    path = np.array([[5.0, 5, 0], [10, 5, 0], [15, 5, 0], [15, 5, 12], [15, 9, 15]])
+    sums = ltp.tally(path * scale, raster)
+    assert sums.length / scale == pytest.approx(27)
+    assert sums.priority / scale == pytest.approx(10.5)
+    assert ltp.penalty(sums, 10.0 * scale) == pytest.approx(0.5 * 2.7 - 10.5 / 27)
+    assert raster.at(5 * scale, 5 * scale) == 1
+    assert raster.bilinear(10 * scale, 10 * scale) == pytest.approx(0.625)
+    assert raster.at(21 * scale, 5 * scale) == 0
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: path_length(np.array([[-1.5e308, 0, 0], [1.5e308, 0, 0]])), r"path\[1\]"),
+        (lambda: point_at(np.array([[-1.5e308, 0, 0], [1.5e308, 0, 0]]), 1.0), r"path\[1\]"),
+        (lambda: path_length(np.array([[0, 0, 0], [1e308, 0, 0]] * 2)), "length of the path"),
+        (lambda: ltp.Raster(np.zeros((2, 2)), cell=1e308), "cell"),
+        (lambda: ltp.Raster(np.zeros((2, 2)), origin=(1e6, 0), cell=1e-300), "cell"),
+        (lambda: ltp.Raster(np.zeros((2, 2)), origin=(0, -1e6), cell=1e-11), "cell"),
+        (lambda: ltp.GridFrame((0, 0, 0), (1, 1, 1e308), (2, 2, 2)), r"cell\.z"),
+        (lambda: ltp.GridFrame((0, 1e6, 0), (1, 1e-11, 1), (2, 2, 2)), r"cell\.y"),
+    ],
+)
+def test_what_no_number_can_hold_is_refused(call: Callable[[], object], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        call()
+
+
+@pytest.mark.parametrize("scale", SCALES)
+def test_a_grid_knows_no_unit(scale: float) -> None:
+    frame = ltp.GridFrame((0, 0, 0), (2 * scale, 2 * scale, 4 * scale), (8, 8, 8))
+    grid = np.zeros((8, 8, 8), dtype=bool)
+    grid[4, 2, 1] = True
+    blocked = ltp.OccupancyGrid.from_array(grid, frame)
+    inside = np.array([9.0, 5.0, 6.0]) * scale
+    assert frame.cell_of(inside).tolist() == [4, 2, 1]
+    np.testing.assert_allclose(frame.centre((4, 2, 1)), inside, rtol=1e-12)
+    assert blocked.blocked_at(inside[None]).tolist() == [True]
+    path = np.array([[1.0, 5.0, 6.0], [15.0, 5.0, 6.0]]) * scale
+    assert blocked.first_blocked(path) / scale == pytest.approx(7.0)
+    assert blocked.first_blocked(path[::-1]) / scale == pytest.approx(5.0)
+    assert ltp.inflate(blocked, scale).count() == 27
+
+
+@pytest.mark.parametrize("far", [1e9, 1e12, 1e17, 1e100, 1e300])
+def test_a_blocked_cell_stops_the_longest_path(far: float) -> None:
+    grid = np.zeros((8, 8, 8), dtype=bool)
+    grid[4, 2, 1] = True
+    blocked = ltp.OccupancyGrid.from_array(grid, ltp.GridFrame((0, 0, 0), (1, 1, 1), (8, 8, 8)))
+    for begin, end in (
+        ((-far, 2.5, 1.5), (far, 2.5, 1.5)),
+        ((far, 2.5, 1.5), (4.5, 2.5, 1.5)),
+        ((4.5, 2.5, 1.5), (4.5, far, 1.5)),
+    ):
+        found = blocked.first_blocked(np.array([begin, end]))
+        assert found == pytest.approx(math.dist(begin, (4.5, 2.5, 1.5)), rel=1e-9, abs=1.0)
+    assert blocked.first_blocked(np.array([(-far, 4.5, 1.5), (far, 4.5, 1.5)])) is None

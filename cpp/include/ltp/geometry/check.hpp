@@ -50,6 +50,13 @@ inline void finite(std::string_view name, double value) {
   if (!std::isfinite(value)) fail(name, value, "a finite number");
 }
 
+/// That neighbours among `count` cells from an origin on can be told apart, up to the last one.
+inline void resolvable(std::string_view name, double cell, double origin, std::int64_t count) {
+  const double end = origin + static_cast<double>(count) * cell;
+  if (std::isfinite(end) && origin + cell > origin && end - cell < end) return;
+  fail(name, cell, "an edge by which cells differ so far from zero, all at finite coordinates");
+}
+
 inline void finite(std::string_view name, const Point& value) {
   if (!value.allFinite()) fail(name, value.transpose(), "three finite numbers");
 }

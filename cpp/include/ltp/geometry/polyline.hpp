@@ -9,6 +9,9 @@
 
 namespace ltp {
 
+// Whatever the magnitude: lengths from 1e-300 to 1e300 m neither vanish nor overflow. Where the
+// distance between two points is no finite number all of these throw `std::invalid_argument`.
+
 /// Length of a polyline [m]; 0 for fewer than two points.
 double length(const PathRef& path);
 

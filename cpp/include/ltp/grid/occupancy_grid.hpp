@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "ltp/geometry/points_view.hpp"
 #include "ltp/geometry/types.hpp"
 #include "ltp/grid/frame.hpp"
 
@@ -33,8 +34,8 @@ class OccupancyGrid {
     const std::optional<Cell> cell = frame_.find(point);
     return cell && blocked(*cell);
   }
-  /// The same for many points, shape (N, 3); `out` holds N answers.
-  void blocked_at(const PathRef& points, bool* out) const;
+  /// The same for many points; `out` holds an answer a point.
+  void blocked_at(const PointsView& points, bool* out) const;
   void set(const Cell& cell, bool blocked = true);
   void clear();
   std::int64_t count() const;  ///< blocked cells

@@ -38,6 +38,9 @@ ClippedSegment<kDim> clip_segment(const Eigen::Matrix<double, kDim, 1>& a,
     return (p.array() >= low.array() - 2.0).all() && (p.array() <= high.array() + 2.0).all();
   };
   if (inside(a) && inside(b)) return part;
+  // When each axis enters and leaves the margin; axes that stand still do neither.
+  Eigen::Matrix<double, kDim, 1> enter = Eigen::Matrix<double, kDim, 1>::Constant(-1.0);
+  Eigen::Matrix<double, kDim, 1> leave = Eigen::Matrix<double, kDim, 1>::Constant(2.0);
   for (int axis = 0; axis < kDim; ++axis) {
     // Halved, so that the difference of the largest numbers is finite.
     const double delta = 0.5 * b[axis] - 0.5 * a[axis];
@@ -46,19 +49,33 @@ ClippedSegment<kDim> clip_segment(const Eigen::Matrix<double, kDim, 1>& a,
     if (delta == 0.0) {
       part.empty |= to_low > 0.0 || to_high < 0.0;
     } else {
-      part.t_in = std::max(part.t_in, (delta > 0.0 ? to_low : to_high) / delta);
-      part.t_out = std::min(part.t_out, (delta > 0.0 ? to_high : to_low) / delta);
+      enter[axis] = (delta > 0.0 ? to_low : to_high) / delta;
+      leave[axis] = (delta > 0.0 ? to_high : to_low) / delta;
+      part.t_in = std::max(part.t_in, enter[axis]);
+      part.t_out = std::min(part.t_out, leave[axis]);
     }
   }
-  part.empty |= !(part.t_in < part.t_out) || !a.allFinite() || !b.allFinite();
+  part.empty |= !(part.t_in <= part.t_out) || !a.allFinite() || !b.allFinite();
   if (part.empty) return part;
-  const auto at = [&](double t) -> Eigen::Matrix<double, kDim, 1> {
-    return (a + t * (b - a)).array().max(low.array() - 2.0).min(high.array() + 2.0);
+  // On a segment so long that rounding swallows cells, the faces met are known better than the
+  // times.
+  constexpr double kThin = 1e-9;
+  const bool thin = part.t_out - part.t_in < kThin;
+  const auto at = [&](double t, const Eigen::Matrix<double, kDim, 1>& met, bool entering) {
+    Eigen::Matrix<double, kDim, 1> point = (a + 2.0 * (t * (0.5 * b - 0.5 * a)))
+                                               .array()
+                                               .max(low.array() - 2.0)
+                                               .min(high.array() + 2.0);
+    for (int axis = 0; thin && axis < kDim; ++axis) {
+      if (met[axis] != t) continue;
+      point[axis] = (a[axis] < b[axis]) == entering ? low[axis] - 1.0 : high[axis] + 1.0;
+    }
+    return point;
   };
   if (inside(a)) part.t_in = 0.0;
   if (inside(b)) part.t_out = 1.0;
-  if (part.t_in > 0.0) part.a = at(part.t_in);
-  if (part.t_out < 1.0) part.b = at(part.t_out);
+  if (part.t_in > 0.0) part.a = at(part.t_in, enter, true);
+  if (part.t_out < 1.0) part.b = at(part.t_out, leave, false);
   return part;
 }
 

@@ -9,10 +9,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "ltp/geometry/points_view.hpp"
 #include "ltp/geometry/types.hpp"
 #include "ltp/grid/frame.hpp"
 #include "ltp/grid/occupancy_grid.hpp"
 #include "ltp/mapping/obstacle_map_options.hpp"
+#include "ltp/mapping/own_returns.hpp"
 
 namespace ltp {
 
@@ -33,14 +35,15 @@ class Carver {
   /// A hit of the next scan, nearer than `hit_range`.
   void mark(const Cell& voxel) { hit_.set(voxel); }
 
-  /// Takes in one scan, whose hits are marked: all finite points tell what their rays passed.
+  /// Takes in one scan, whose hits are marked: all finite points but own returns tell what their
+  /// rays passed.
   /// `changed(voxel, occupied)` is called, after the grid was updated, for each voxel of `occupied`
   /// that changed: first for those that a hit made occupied, then for those that rays freed.
   template <typename Changed>
-  void insert(const Point& origin, const PathRef& hits, const PathRef& misses,
-              OccupancyGrid& occupied, Changed&& changed) {
-    follow(origin, hits);
-    follow(origin, misses);
+  void insert(const Point& origin, const OwnReturns& own, const PointsView& hits,
+              const PointsView& misses, OccupancyGrid& occupied, Changed&& changed) {
+    follow(origin, own, hits);
+    follow(origin, own, misses);
     for_each_word(origin, [&](int ix, int iy, int w) {
       followed_.column(ix, iy)[w] = 0;
       std::uint64_t& hit = hit_.column(ix, iy)[w];
@@ -78,8 +81,8 @@ class Carver {
   void clear();
 
  private:
-  /// Follows the rays to all ends but those in whose voxel another one ended.
-  void follow(const Point& origin, const PathRef& ends);
+  /// Follows the rays to all ends but own returns and those in whose voxel another one ended.
+  void follow(const Point& origin, const OwnReturns& own, const PointsView& ends);
   /// Follows a ray, given in lattice units, that is not all inside.
   void follow_outside(const Point& from, const Point& to);
   /// A hit or a passing ray changes a voxel's log-odds; returns whether it is occupied now.

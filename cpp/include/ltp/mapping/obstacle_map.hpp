@@ -10,25 +10,16 @@
 #include <optional>
 #include <string>
 
+#include "ltp/geometry/points_view.hpp"
 #include "ltp/geometry/types.hpp"
 #include "ltp/grid/occupancy_grid.hpp"
 #include "ltp/mapping/carver.hpp"
 #include "ltp/mapping/inflation.hpp"
+#include "ltp/mapping/insert_statistics.hpp"
 #include "ltp/mapping/obstacle_map_options.hpp"
+#include "ltp/mapping/own_returns.hpp"
 
 namespace ltp {
-
-/// What became of a scan's points, and of the map.
-struct InsertStatistics {
-  std::int64_t marked = 0;   ///< hits that fell into the window
-  std::int64_t outside = 0;  ///< hits beyond the window
-  /// Hits at or beyond the map's maximum range: treated as misses. Many of them, and the sensor
-  /// sees farther than the map was told.
-  std::int64_t out_of_range = 0;
-  std::int64_t invalid = 0;       ///< hits or misses that are not finite: ignored
-  std::int64_t new_cells = 0;     ///< planning cells that became occupied
-  std::int64_t erased_cells = 0;  ///< planning cells that became free by carving
-};
 
 /// Voxels (cubes of the planning cell's smallest edge) are the memory, planning cells the view: a
 /// cell is occupied if any voxel in it is, and blocked if it is within the inflation radius of an
@@ -55,23 +46,34 @@ class ObstacleMap {
   /// Grows, from 0, whenever planning cells become occupied or free: by a scan, a file, or `clear`.
   /// Recentring leaves it: what stays in the window keeps its meaning.
   std::int64_t version() const { return version_; }
+  /// The sum over all scans since the map was made.
+  const InsertStatistics& totals() const { return totals_; }
 
   /// Is given the occupied planning cells before the window leaves some of them behind.
   using Leaving = std::function<void(const OccupancyGrid& occupied)>;
 
   /// Adds a scan: where its rays began, where they hit something, and where those without a return
-  /// stopped being seen; world frame, shape (N, 3) [m]. Strange points never throw: they are
-  /// counted. `misses` only matter with carving. Throws only for an `origin` that is not finite.
-  InsertStatistics insert(const Point& origin, const PathRef& hits,
-                          const PathRef& misses = Path(0, 3));
+  /// stopped being seen; world frame [m]. The sensor's attitude only turns the body box. Strange
+  /// points never throw: they are counted. `misses` only matter with carving. Throws only for an
+  /// origin or a pose that is not finite.
+  InsertStatistics insert(const Pose& sensor, const PointsView& hits,
+                          const PointsView& misses = {});
+  InsertStatistics insert(const Point& origin, const PointsView& hits,
+                          const PointsView& misses = {}) {
+    return insert(Pose{origin}, hits, misses);
+  }
 
   /// Moves the window so that it is centred on a point; what leaves is forgotten, cells that enter
   /// are unknown. Returns the shift in planning cells. Throws for a point that is not finite or
   /// absurdly far.
   Cell recentre(const Point& centre, const Leaving& leaving = nullptr);
   /// Recentres on the origin of a scan, then inserts it.
-  InsertStatistics sense(const Point& origin, const PathRef& hits, const PathRef& misses,
+  InsertStatistics sense(const Pose& sensor, const PointsView& hits, const PointsView& misses,
                          const Leaving& leaving = nullptr);
+  InsertStatistics sense(const Point& origin, const PointsView& hits, const PointsView& misses,
+                         const Leaving& leaving = nullptr) {
+    return sense(Pose{origin}, hits, misses, leaving);
+  }
   /// Forgets everything.
   void clear();
 
@@ -95,8 +97,8 @@ class ObstacleMap {
   bool any_voxel_in(const Cell& cell) const;
   bool occupy_cell_of(const Cell& voxel);  ///< whether its planning cell was free before
   /// The second half of `insert`, with carving: hits are marked, rays are followed.
-  void carve(const Point& origin, const PathRef& hits, const PathRef& misses,
-             InsertStatistics& statistics);
+  void carve(const Point& origin, const OwnReturns& own, const PointsView& hits,
+             const PointsView& misses, InsertStatistics& statistics);
 
   double one_hit() const;  ///< the log-odds of a voxel hit once
 
@@ -108,6 +110,7 @@ class ObstacleMap {
   Inflation inflation_;
   std::optional<Carver> carver_;  ///< only with `carve_free_space`
   std::int64_t version_ = 0;
+  InsertStatistics totals_;
 };
 
 }  // namespace ltp

@@ -16,6 +16,14 @@ struct ObstacleMapOptions {
   double inflation_radius = 1.0;
   /// A hit at or beyond this distance from the scan's origin marks nothing [m].
   double max_range = 50.0;
+  /// A hit nearer than this to the scan's origin marks nothing: the aircraft sees itself, or the
+  /// sensor writes its own place where there was no return [m]; 0: any hit counts. As far as the
+  /// arms of a quadrotor of 10 kg reach, *assumed*.
+  double blind_distance = 1.0;
+  /// Corners of a box, in the frame of the pose given with a scan (the world's axes if only its
+  /// origin is given), about that pose [m]: hits in it mark nothing. Twice the same point: no box.
+  Point body_min = Point::Zero();
+  Point body_max = Point::Zero();
 
   /// Learn from what rays passed, too. The paper's map does not: what was hit stays until it leaves
   /// the window.
@@ -29,6 +37,8 @@ struct ObstacleMapOptions {
   double miss_log_odds = -0.4;  ///< added by a ray that passes, < 0
   double min_log_odds = -2.0;   ///< clamping, < 0
   double max_log_odds = 3.5;    ///< clamping, > 0
+
+  bool has_body() const { return body_min != body_max; }
 
   /// Voxels along each edge of a planning cell; a voxel is a cube of the smallest edge.
   std::array<int, 3> voxels_per_cell() const;

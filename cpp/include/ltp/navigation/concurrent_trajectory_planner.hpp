@@ -64,7 +64,10 @@ class ConcurrentTrajectoryPlanner {
 
   /// Adds a scan as `LocalTrajectoryPlanner` does and hands the map over; the UAV is where the rays
   /// began [m]. Throws what the planning thread has thrown, if it has.
-  InsertStatistics sense(const Point& origin, const PathRef& hits, const PathRef& misses);
+  InsertStatistics sense(const Pose& sensor, const PointsView& hits, const PointsView& misses);
+  InsertStatistics sense(const Point& origin, const PointsView& hits, const PointsView& misses) {
+    return sense(Pose{origin}, hits, misses);
+  }
 
   /// As `LocalTrajectoryPlanner` does; the map is handed over at once, with the UAV where it was at
   /// the last scan. Throw what the planning thread has thrown, if it has.

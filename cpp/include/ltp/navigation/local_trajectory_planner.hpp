@@ -35,9 +35,12 @@ class LocalTrajectoryPlanner {
   void set_waypoints(const PathRef& waypoints) { navigator_.set_waypoints(waypoints); }
   void set_priority(Raster priority) { navigator_.set_priority(std::move(priority)); }
 
-  /// Adds a scan: where its rays began, where they hit, and (for carving) where those without a
-  /// return ended [m].
-  InsertStatistics sense(const Point& origin, const PathRef& hits, const PathRef& misses);
+  /// Adds a scan: where its rays began (a pose turns the map's body box), where they hit, and (for
+  /// carving) where those without a return ended, world frame [m].
+  InsertStatistics sense(const Pose& sensor, const PointsView& hits, const PointsView& misses);
+  InsertStatistics sense(const Point& origin, const PointsView& hits, const PointsView& misses) {
+    return sense(Pose{origin}, hits, misses);
+  }
 
   /// Adds what a file knows about the window, as `ObstacleMap::load` does and throws.
   void load_map(const std::string& path) { map_.load(path); }

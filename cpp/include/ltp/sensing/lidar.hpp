@@ -26,6 +26,7 @@ struct LidarPattern {
 
 struct LidarOptions {
   LidarPattern pattern;
+  double min_range = 0.0;       ///< a return nearer than it is no return, nor a miss [m]
   double max_range = 50.0;      ///< a return at or beyond it is no return [m]
   double range_noise_sd = 0.0;  ///< standard deviation of a range [m]
   double drop_out = 0.0;        ///< probability that a return is lost, in [0, 1]
@@ -34,12 +35,13 @@ struct LidarOptions {
   void check() const;  ///< throws `std::invalid_argument` that names the field
 };
 
-/// What became of a scan's rays; the four counts add up to all of them.
+/// What became of a scan's rays; the counts add up to all of them.
 struct ScanStatistics {
-  std::int64_t hits = 0;     ///< returns nearer than the maximum range
-  std::int64_t misses = 0;   ///< no return: +inf, or at or beyond the maximum range
-  std::int64_t invalid = 0;  ///< NaN, 0, negative or -inf: says nothing about the world
-  std::int64_t dropped = 0;  ///< returns lost to `drop_out`: says nothing about the world
+  std::int64_t hits = 0;      ///< returns between the minimum and the maximum range
+  std::int64_t misses = 0;    ///< no return: +inf, or at or beyond the maximum range
+  std::int64_t too_near = 0;  ///< nearer than the minimum range: says nothing about the world
+  std::int64_t invalid = 0;   ///< NaN, 0, negative or -inf: says nothing about the world
+  std::int64_t dropped = 0;   ///< returns lost to `drop_out`: says nothing about the world
 };
 
 /// Whether a scan lists its misses. Only who carves free space needs them.
@@ -76,12 +78,18 @@ class Lidar {
             Misses misses = Misses::Listed) const;
 
   /// The scan that a real sensor's ranges mean, one a ray in the order of `directions()` [m]. NaN,
-  /// 0, negative and -inf are invalid; +inf and anything at or beyond the maximum range is a miss.
-  /// Throws `std::invalid_argument` for another number of ranges or a bad pose.
+  /// 0, negative and -inf are invalid; what is nearer than the minimum range is too near; +inf and
+  /// anything at or beyond the maximum range is a miss. Throws `std::invalid_argument` for another
+  /// number of ranges or a bad pose.
   void from_ranges(const Eigen::Ref<const Eigen::VectorXd>& ranges, const Pose& pose,
+                   Scan& out) const;
+  void from_ranges(const Eigen::Ref<const Eigen::VectorXf>& ranges, const Pose& pose,
                    Scan& out) const;
 
  private:
+  template <typename Ranges>
+  void sort_ranges(const Ranges& ranges, const Pose& pose, Scan& out) const;
+
   LidarOptions options_;
   std::vector<Eigen::Vector2d> headings_;  ///< one an azimuth, sensor frame
   BeamFan fan_;                            ///< one beam a row

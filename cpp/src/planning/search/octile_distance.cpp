@@ -6,13 +6,15 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "ltp/geometry/norm.hpp"
+
 namespace ltp::planning {
 
 double octile_distance(const Point& edges, const Cell& by) {
   std::array<int, 3> steps = {std::abs(by.x()), std::abs(by.y()), std::abs(by.z())};
   const int all = std::min({steps[0], steps[1], steps[2]});
   for (int& left : steps) left -= all;
-  double length = all * edges.norm();
+  double length = all * norm(edges);
   for (int axis = 0; axis < 3; ++axis) {  // one of them is used up
     const int next = (axis + 1) % 3;
     const int both = std::min(steps[axis], steps[next]);
