@@ -39,12 +39,10 @@ void bind_options(py::module_& m) {
              "a hit at or beyond this distance from the scan's origin marks nothing [m]")
       .field("blind_distance", &Options::blind_distance,
              "a hit nearer than this to the scan's origin marks nothing [m]: the aircraft itself, "
-             "or a sensor that\n"
-             "writes its own place where there was no return; 0: any hit counts")
+             "or a sensor's own place written for no return; 0: any hit counts")
       .field("body_min", &Options::body_min,
-             "(3,), lowest corner of a box in the frame of a scan's pose (the world's axes if only "
-             "an origin is given),\n"
-             "about that pose [m]: hits in it mark nothing")
+             "(3,), lowest corner of a box about a scan's pose, in its frame, or the world's if "
+             "only an origin is given [m]: hits in it mark nothing")
       .field("body_max", &Options::body_max,
              "(3,), its highest corner [m]; the same as body_min: no box")
       .field("carve_free_space", &Options::carve_free_space, "learn from what rays passed, too")

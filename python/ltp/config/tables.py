@@ -24,7 +24,7 @@ def meaning(holder: object, name: str) -> str:
     """What a setting is for, with its unit: from its annotation, or the core's own docstring."""
     kind = type(holder)
     if not dataclasses.is_dataclass(holder):
-        return str(getattr(kind, name).__doc__ or "")
+        return " ".join((getattr(kind, name).__doc__ or "").split())  # on one line
     hint = typing.get_type_hints(kind, include_extras=True)[name]
     return next((text for text in getattr(hint, "__metadata__", ()) if isinstance(text, str)), "")
 
