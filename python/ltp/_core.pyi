@@ -548,8 +548,7 @@ class ObstacleMapOptions:
     @property
     def blind_distance(self) -> float:
         """
-        a hit nearer than this to the scan's origin marks nothing [m]: the aircraft itself, or a sensor that
-        writes its own place where there was no return; 0: any hit counts
+        a hit nearer than this to the scan's origin marks nothing [m]: the aircraft itself, or a sensor's own place written for no return; 0: any hit counts
         """
     @blind_distance.setter
     def blind_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -565,8 +564,7 @@ class ObstacleMapOptions:
     @property
     def body_min(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,), lowest corner of a box in the frame of a scan's pose (the world's axes if only an origin is given),
-        about that pose [m]: hits in it mark nothing
+        (3,), lowest corner of a box about a scan's pose, in its frame, or the world's if only an origin is given [m]: hits in it mark nothing
         """
     @body_min.setter
     def body_min(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:

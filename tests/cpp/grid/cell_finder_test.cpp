@@ -118,24 +118,26 @@ TEST(CellFinder, IsSureOfNearlyEveryPointInTheWindow) {
   EXPECT_LT(expect_cells(frame, points), 10);
 }
 
-TEST(CellFinder, LooksOnlyIntoItsBall) {
+TEST(CellFinder, LooksOnlyBetweenItsBalls) {
   const GridFrame frame(Point(-20, -20, -20), Point(2, 2, 2), {20, 20, 20});
   const Point centre(1.5, -2.5, 0.5);
   // Rows of a wider table: three columns in the middle of five.
   const Eigen::Matrix<double, Eigen::Dynamic, 5, Eigen::RowMajor> table =
       12.0 * Eigen::Matrix<double, 999, 5, Eigen::RowMajor>::Random();
   int inside = 0;
-  CellFinder(frame, centre, 8.0)
+  CellFinder(frame, {centre, 3.0, 8.0})
       .for_each(
           table.middleCols<3>(1),
           [&](Eigen::Index i, const Cell& cell) {
             const Point point = table.row(i).segment<3>(1).transpose();
             EXPECT_LT((point - centre).squaredNorm(), 64.0);
+            EXPECT_GT((point - centre).squaredNorm(), 9.0);
             EXPECT_EQ(cell, frame.cell_of(point));
             ++inside;
           },
           [&](Eigen::Index i) {
-            EXPECT_GE((table.row(i).segment<3>(1).transpose() - centre).squaredNorm(), 64.0);
+            const double square = (table.row(i).segment<3>(1).transpose() - centre).squaredNorm();
+            EXPECT_TRUE(square >= 64.0 || square <= 9.0) << square;
           });
   EXPECT_GT(inside, 100);
   EXPECT_LT(inside, 900);
