@@ -30,7 +30,9 @@ GridFrame::GridFrame(const Point& origin, const Point& cell, const std::array<in
     check::fail("dims", text.str(), "at most 2^31 - 1 cells in all");
   }
   for (int axis = 0; axis < 3; ++axis) {
-    check::resolvable(std::string("cell.") + kAxis[axis], cell[axis], origin[axis], dims[axis]);
+    if (std::isfinite(origin[axis] + dims[axis] * cell[axis])) continue;
+    check::fail(std::string("cell.") + kAxis[axis], cell[axis],
+                "an edge by which all cells lie at finite coordinates");
   }
   prepare_axes();
 }

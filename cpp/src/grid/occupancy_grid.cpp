@@ -129,7 +129,7 @@ std::optional<double> OccupancyGrid::first_blocked(const PathRef& path, double f
     const double size = norm(b - a);
     if (arc + size >= from) {
       const double t_min = size > 0.0 && from > arc ? (from - arc) / size : 0.0;
-      const Point begin = a + t_min * (b - a);
+      const Point begin = t_min > 0.0 ? Point(a + t_min * (b - a)) : a;  // b - a may overflow
       std::optional<double> touched;
       const Point from_lattice = frame_.lattice(begin);
       const Point to_lattice = frame_.lattice(b);
