@@ -10,7 +10,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['AraOptions', 'BezierOptions', 'Budget', 'ConcurrentTrajectoryPlanner', 'Decision', 'ExactOptions', 'Front', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'PathTally', 'PenaltyWeights', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerInfo', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'TangentBugOptions', 'WaypointEvent', 'closest_point', 'distance_field', 'flood_fill', 'inflate', 'pareto_front', 'path_length', 'penalty', 'planner_info', 'planners', 'point_at', 'resample', 'tally']
+__all__: list[str] = ['AraOptions', 'BezierOptions', 'Budget', 'ConcurrentTrajectoryPlanner', 'Decision', 'ExactOptions', 'Front', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationReason', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'PathTally', 'PenaltyWeights', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerInfo', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'TangentBugOptions', 'WaypointEvent', 'closest_point', 'distance_field', 'flood_fill', 'inflate', 'onto_columns', 'pareto_front', 'path_length', 'penalty', 'planner_info', 'planners', 'point_at', 'resample', 'tally']
 class Pose:
     """
     Where a body is and how it is turned (world ENU, body x forward, y left, z up).
@@ -19,6 +19,8 @@ class Pose:
         """
         position: (3,) [m]. yaw, pitch, roll: turns about z, y, x, applied in this order [rad].
         """
+    def __repr__(self) -> str:
+        ...
     @property
     def position(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
@@ -89,6 +91,8 @@ class Raster:
         values: (nx, ny), finite. origin: (2,) outer corner of cell (0, 0) [m]. cell: edge [m].
         outside: the value beyond the edges. ValueError names what is wrong.
         """
+    def __repr__(self) -> str:
+        ...
     def at(self, x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], y: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Any:
         """
         Value of the cell that holds (x, y) [m]; vectorised.
@@ -140,6 +144,8 @@ class OccupancyGrid:
         """
         An empty grid.
         """
+    def __repr__(self) -> str:
+        ...
     def blocked_at(self, points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"]) -> numpy.typing.NDArray[numpy.bool]:
         """
         bool (N,): whether the cells that hold points (N, 3) [m] are blocked; False outside.
@@ -148,9 +154,10 @@ class OccupancyGrid:
         """
         Number of blocked cells.
         """
-    def first_blocked(self, path: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], from_arc_length: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> float | None:
+    def first_blocked(self, path: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], from_arc_length: typing.SupportsFloat | typing.SupportsIndex = 0.0, ignored: typing.Annotated[numpy.typing.ArrayLike, numpy.int32, "[3, 1]"] | None = None) -> float | None:
         """
-        Arc length [m] at which a path (N, 3) first touches a blocked cell, exactly; None if it touches none.
+        Arc length [m] at which a path (N, 3) first touches a blocked cell, exactly; None if it touches none. The
+        cell `ignored` (3,) counts as free.
         """
     def roll(self, shift: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], "FixedSize(3)"]) -> None:
         """
@@ -230,6 +237,8 @@ class RayHit:
     """
     Where a ray first meets a surface.
     """
+    def __repr__(self) -> str:
+        ...
     @property
     def hit(self) -> bool:
         """
@@ -260,15 +269,6 @@ class Surface:
         inf: no hit nearer than max_range [m]. Neighbours with the same origin are cast
         together, a thousand or more of them several times faster.
         """
-class HeightSurface(Surface):
-    """
-    The exact surface of a height raster: each cell is a solid column from below everything up
-    to its height. Outside the raster there is nothing.
-    """
-    def __init__(self, heights: Raster) -> None:
-        """
-        heights: above the datum [m].
-        """
     def clearance(self, points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], max_distance: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
         """
         (N,): distance [m] from points (N, 3) to the solid, 0 inside it, at most
@@ -279,6 +279,17 @@ class HeightSurface(Surface):
         Arc length [m] at which a path (N, 3) first touches the solid, exactly along its
         segments; None if it never does. Grazing a top or a wall touches it.
         """
+class HeightSurface(Surface):
+    """
+    The exact surface of a height raster: each cell is a solid column from below everything up
+    to its height. Outside the raster there is nothing.
+    """
+    def __init__(self, heights: Raster) -> None:
+        """
+        heights: above the datum [m].
+        """
+    def __repr__(self) -> str:
+        ...
     def occupancy(self, frame: GridFrame) -> OccupancyGrid:
         """
         OccupancyGrid of the cells that hold any of the solid: what a perfect and complete sensor
@@ -301,6 +312,8 @@ class OctreeSurface(Surface):
         """
         Voxels of edge resolution [m], 1e-6 to 1e6, that hold points (N, 3) [m].
         """
+    def __repr__(self) -> str:
+        ...
     @property
     def resolution(self) -> float:
         """
@@ -482,6 +495,8 @@ class Scan:
     """
     One revolution of a LiDAR, in the world frame.
     """
+    def __repr__(self) -> str:
+        ...
     @property
     def hits(self) -> numpy.ndarray:
         """
@@ -508,6 +523,8 @@ class Lidar:
         """
         ValueError names the option that is wrong.
         """
+    def __repr__(self) -> str:
+        ...
     def from_ranges(self, ranges: typing.Any, pose: Pose) -> Scan:
         """
         The scan that a real sensor's ranges (azimuths * rows,) or (azimuths, rows) [m] mean, in the
@@ -712,6 +729,8 @@ class ObstacleMap:
         """
         centre: (3,), of the window, world [m]. ValueError names the option that is wrong.
         """
+    def __repr__(self) -> str:
+        ...
     def clear(self) -> None:
         """
         Forgets everything.
@@ -780,6 +799,8 @@ class Scene:
     """
     def __init__(self, occupancy: OccupancyGrid, priority: Raster) -> None:
         ...
+    def __repr__(self) -> str:
+        ...
 class Query:
     """
     From where to where, and how far the path may leave the altitudes between.
@@ -789,6 +810,8 @@ class Query:
         start, goal: (3,), world [m]. band: (below, above), how far the path may go under the lower and over the
         higher of both ends [m], >= 0; (0, 0) is planar flight, the default is open to the whole window.
         """
+    def __repr__(self) -> str:
+        ...
     @property
     def band(self) -> tuple[float, float]:
         ...
@@ -888,13 +911,13 @@ class Plan:
     """
     A planner's answer.
     """
-    __fields__: typing.ClassVar[tuple] = ('status', 'tally', 'penalty', 'bound', 'stats')
+    __fields__: typing.ClassVar[tuple] = ('status', 'tally', 'penalty', 'bound', 'priority_resampled', 'stats')
     def __repr__(self) -> str:
         ...
     @property
     def bound(self) -> float | None:
         """
-        no path through cell centres has a smaller penalty (a refined one may); None without a proof
+        no path through vertices of cells has a smaller penalty (a refined one may); None without a proof
         """
     @property
     def path(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
@@ -905,6 +928,11 @@ class Plan:
     def penalty(self) -> float:
         """
         Eq. (5); inf unless FOUND
+        """
+    @property
+    def priority_resampled(self) -> bool:
+        """
+        the priority was off the grid's columns: planned and tallied over `ltp.onto_columns` of it
         """
     @property
     def stats(self) -> SearchStats:
@@ -925,13 +953,18 @@ class Front:
     """
     The paths of which none is both shorter and over better ground.
     """
-    __fields__: typing.ClassVar[tuple] = ('status', 'stats')
+    __fields__: typing.ClassVar[tuple] = ('status', 'priority_resampled', 'stats')
     def __repr__(self) -> str:
         ...
     @property
     def paths(self) -> list[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]]:
         """
         k arrays (N, 3), start ... goal, world [m]
+        """
+    @property
+    def priority_resampled(self) -> bool:
+        """
+        as in `Plan`
         """
     @property
     def stats(self) -> SearchStats:
@@ -1449,7 +1482,7 @@ class PlannerInfo:
     @property
     def on_grid(self) -> bool:
         """
-        its paths run through cell centres
+        its paths run through vertices of cells
         """
     @property
     def remembers(self) -> bool:
@@ -1471,6 +1504,8 @@ class Planner:
     A local planner; made by `make_planner`.
     """
     def __init__(self, name: str, options: PlannerOptions = ...) -> None:
+        ...
+    def __repr__(self) -> str:
         ...
     def front(self, scene: Scene, query: Query, eps: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> Front:
         """
@@ -1625,11 +1660,98 @@ class NavigationStatus:
     @property
     def value(self) -> int:
         ...
+class NavigationReason:
+    """
+    Why a UAV holds or escapes, or why a waypoint was dropped.
+
+    Members:
+
+      NONE :
+
+      UNDECIDED : nothing has been planned yet
+
+      START_BLOCKED : the UAV stands too near to what was hit and leaves by the nearest free cell
+
+      START_IN_GROUND : start in the ground's cell: the UAV is less than a free cell above what lies beneath it, and no free cell is near
+
+      NO_ESCAPE : the UAV stands too near to what was hit, and no free cell can be reached
+
+      WALLED_IN : the UAV is walled in by its own map
+
+      NO_STOPOVER : the waypoint lies beyond the map's window, and no point of the leg to it can be reached
+
+      OUT_OF_BUDGET : the planner's budget ran out before it found a path
+
+      NO_PATH : no path was found, and no proof that there is none
+
+      GOAL_BLOCKED : the waypoint lies in a blocked cell of the map
+
+      UNREACHABLE : the waypoint is proved unreachable: all around it is closed
+
+      ALL_DROPPED : all waypoints were dropped, none was reached
+    """
+    ALL_DROPPED: typing.ClassVar[NavigationReason]
+    GOAL_BLOCKED: typing.ClassVar[NavigationReason]
+    NONE: typing.ClassVar[NavigationReason]
+    NO_ESCAPE: typing.ClassVar[NavigationReason]
+    NO_PATH: typing.ClassVar[NavigationReason]
+    NO_STOPOVER: typing.ClassVar[NavigationReason]
+    OUT_OF_BUDGET: typing.ClassVar[NavigationReason]
+    START_BLOCKED: typing.ClassVar[NavigationReason]
+    START_IN_GROUND: typing.ClassVar[NavigationReason]
+    UNDECIDED: typing.ClassVar[NavigationReason]
+    UNREACHABLE: typing.ClassVar[NavigationReason]
+    WALLED_IN: typing.ClassVar[NavigationReason]
+    __members__: typing.ClassVar[dict[str, NavigationReason]]
+    def __bool__(self) -> bool:
+        ...
+    @typing.overload
+    def __eq__(self, other: NavigationReason) -> bool:
+        ...
+    @typing.overload
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> int:
+        ...
+    def __hash__(self) -> int:
+        ...
+    def __index__(self) -> int:
+        ...
+    def __init__(self, value: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    def __int__(self) -> int:
+        ...
+    @typing.overload
+    def __ne__(self, other: NavigationReason) -> bool:
+        ...
+    @typing.overload
+    def __ne__(self, other: typing.Any) -> bool:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setstate__(self, state: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    def __str__(self) -> str:
+        ...
+    @property
+    def label(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def text(self) -> str:
+        """
+        a plain sentence without its full stop; empty for NONE
+        """
+    @property
+    def value(self) -> int:
+        ...
 class WaypointEvent:
     """
     What became of a waypoint.
     """
-    __fields__: typing.ClassVar[tuple] = ('index', 'reached', 'reason', 'position', 'goal', 'window_origin')
+    __fields__: typing.ClassVar[tuple] = ('index', 'reached', 'reason', 'why', 'position', 'goal', 'window_origin')
     def __repr__(self) -> str:
         ...
     @property
@@ -1656,6 +1778,11 @@ class WaypointEvent:
     def reason(self) -> PlanStatus:
         """
         why it was dropped: GOAL_BLOCKED or UNREACHABLE
+        """
+    @property
+    def why(self) -> NavigationReason:
+        """
+        the same as a reason with a text; NONE: reached
         """
     @property
     def window_origin(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -1698,6 +1825,8 @@ class LocalTrajectoryPlanner:
         """
         priority: Raster in [0, 1]. position: (3,) [m]. planner: one of `ltp.PLANNERS`.
         """
+    def __repr__(self) -> str:
+        ...
     def clear_map(self) -> None:
         """
         Forgets all obstacles, those beyond the window too; the next update plans on it.
@@ -1759,6 +1888,11 @@ class LocalTrajectoryPlanner:
         since the beginning
         """
     @property
+    def reason(self) -> NavigationReason:
+        """
+        why it holds or escapes; NONE: it does not
+        """
+    @property
     def status(self) -> NavigationStatus:
         ...
     @property
@@ -1783,7 +1917,7 @@ class Decision:
     """
     What the planning thread decided on one scan's map.
     """
-    __fields__: typing.ClassVar[tuple] = ('scan', 'status', 'path', 'path_id', 'waypoint_index', 'events', 'plans', 'plans_made')
+    __fields__: typing.ClassVar[tuple] = ('scan', 'status', 'reason', 'path', 'path_id', 'waypoint_index', 'events', 'plans', 'plans_made')
     def __repr__(self) -> str:
         ...
     @property
@@ -1810,6 +1944,11 @@ class Decision:
     def plans_made(self) -> int:
         """
         since the beginning
+        """
+    @property
+    def reason(self) -> NavigationReason:
+        """
+        why it holds or escapes
         """
     @property
     def scan(self) -> int:
@@ -1840,6 +1979,8 @@ class ConcurrentTrajectoryPlanner:
         """
         As a LocalTrajectoryPlanner's.
         """
+    def __repr__(self) -> str:
+        ...
     def clear_map(self) -> None:
         """
         As LocalTrajectoryPlanner's; the map is handed over to be planned on at once.
@@ -1884,7 +2025,7 @@ class ConcurrentTrajectoryPlanner:
     @property
     def blocked_at(self) -> float | None:
         """
-        arc length of the last decision's path at which the newest map blocks it [m]; None if it is free
+        arc length of the last decision's path at which the newest map blocks it, an escape: at which something was hit [m]; None if it is free
         """
     @property
     def decision(self) -> Decision:
@@ -1909,9 +2050,9 @@ class ConcurrentTrajectoryPlanner:
     @property
     def waypoints(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         ...
-def closest_point(path: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], from_arc_length: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], float, float]:
+def closest_point(path: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], from_arc_length: typing.SupportsFloat | typing.SupportsIndex = 0.0, to_arc_length: typing.SupportsFloat | typing.SupportsIndex = ...) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], float, float]:
     """
-    (point (3,), arc length [m], distance [m]) of the closest point of a polyline at or beyond an arc length.
+    (point (3,), arc length [m], distance [m]) of the closest point of a polyline between two arc lengths.
     """
 def distance_field(grid: OccupancyGrid, source: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], levels: tuple[typing.SupportsInt | typing.SupportsIndex, typing.SupportsInt | typing.SupportsIndex] | None = None) -> numpy.typing.NDArray[numpy.float64]:
     """
@@ -1929,6 +2070,13 @@ def inflate(grid: OccupancyGrid, radius: typing.SupportsFloat | typing.SupportsI
     """
     The grid with every cell blocked whose box is within `radius` [m] of the box of a blocked one: any radius > 0
     adds at least the 26 neighbours, 0 none.
+    """
+def onto_columns(raster: Raster, frame: GridFrame) -> Raster:
+    """
+    The raster with one value over each column of a grid: the mean over the column's area. It covers the grid and has
+    the same value outside. Columns that are no squares are several cells of it. Planners do so with a priority that is
+    off their grid's columns (`Plan.priority_resampled`). ValueError where the columns' edges have no common part, down
+    to a sixteenth of the longer one.
     """
 def pareto_front(scene: Scene, query: Query, options: ExactOptions = ..., budget: Budget = ...) -> Front:
     """
