@@ -16,7 +16,7 @@ from .judges import Judge
 from .memory import peak, resident
 from .workload import Sensing, Town, make_sensing, make_town
 
-OURS = "ltp"
+OURS = "ltp-uav"
 
 
 class Unavailable(Exception):  # noqa: N818 - it is no error
@@ -113,9 +113,8 @@ def compete(
     row: dict[str, Any] = {"work": work.name, "name": contestant.name, "unit": work.unit}
     row["package"] = contestant.package
     try:
-        version = metadata.version(contestant.package)
         if contestant.package != OURS:
-            row["version"] = version
+            row["version"] = metadata.version(contestant.package)
         answers = _answers(work, contestant, shared, limits)
     except (ImportError, Unavailable) as reason:
         return Outcome(row | {"error": f"not available: {reason}"}, [])

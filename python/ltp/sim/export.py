@@ -121,6 +121,5 @@ def _features(world: World, records: Sequence[FlightRecord]) -> Iterator[_Featur
 
 def _on_earth(world: World, points: ArrayLike) -> list[list[float]]:
     latitude, longitude, altitude = np.transpose(world.to_map(points))
-    return np.column_stack(
-        [np.round(longitude, 9), np.round(latitude, 9), np.round(altitude, 3)]
-    ).tolist()
+    places = np.column_stack([longitude.round(9), latitude.round(9), altitude.round(3)])
+    return [[float(value) for value in place] for place in places]
