@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from .output import say, tell, tell_report
+from .output import console, tell, tell_report
 
 if TYPE_CHECKING:
     from ltp.world import World
@@ -21,10 +21,12 @@ def save_world(world: "World", out: Path) -> None:
     out.parent.mkdir(parents=True, exist_ok=True)
     world.save(out)
     x_min, y_min, x_max, y_max = world.extent
-    say(
+    console().print(
         f"{world.name}: {x_max - x_min:g} m x {y_max - y_min:g} m at {world.cell:g} m, ground at "
         f"{world.ground.min():.1f} ... {world.ground.max():.1f} m, top at "
         f"{world.surface.max():.1f} m",
+        markup=False,
+        soft_wrap=True,
     )
     tell_report(world)
     tell("world", out)

@@ -67,8 +67,8 @@ class FlightRow:
 
     @property
     def completed(self) -> bool:
-        """Whether it came to its end: each waypoint was reached, or dropped on proof."""
-        return self.outcome in ("reached", "nothing_reached")
+        """Whether it came to its end and reached a waypoint: the others were dropped on proof."""
+        return self.outcome == "reached"
 
     @property
     def path(self) -> tuple[int, int]:
