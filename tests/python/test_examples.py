@@ -31,6 +31,16 @@ def test_a_city_is_flown_to_its_far_corner() -> None:
     assert lines[-4].startswith("reached: ")
 
 
+def test_a_cloud_is_read_as_it_comes() -> None:
+    lines = output_of("05_a_real_sensor.py").splitlines()
+    assert "too_near=9," in lines[0]
+    assert lines[1].startswith("NavigationStatus.FOLLOWING")
+    assert [line.rsplit("map's ", 1)[1].split(" ")[0] for line in lines[2:]] == [
+        "max_range",
+        "blind_distance",
+    ]
+
+
 def test_examples_are_short() -> None:
     examples = [path for path in EXAMPLES.iterdir() if path.suffix in (".py", ".cpp")]
     assert len(examples) >= 5
