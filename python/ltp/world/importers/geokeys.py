@@ -12,12 +12,14 @@ from typing import Any
 from ltp.world.crs import any_crs, height_unit
 
 from .optional import require
-from .units import Says, unit_of_code
+from .units import Says, unit_in_words, unit_of_code
 
 _MODEL_TYPE, _GEODETIC, _PROJECTED = 1024, 2048, 3072
 _PROJECTION, _LINEAR_UNITS, _LINEAR_UNIT_SIZE = 3074, 3076, 3077
 _PARAMETERS = range(3078, 3096)
 _VERTICAL, _VERTICAL_UNITS = 4096, 4099
+# Names in free text: of the file's CRS, of its projected part, of its vertical part.
+_CITATION, _PROJECTED_CITATION, _VERTICAL_CITATION = 1026, 3073, 4097
 _ASCII, _DOUBLES = 34737, 34736  # TIFF tags and LAS records of the values that are no integer
 _DIRECTORY = 34735
 _USER_DEFINED = 32767
@@ -28,6 +30,7 @@ class GeoKeys:
     """The keys of one file."""
 
     values: dict[int, int | float]  # those that are one number
+    citations: dict[int, str]  # those that are text
     directory: bytes  # little-endian, as the tags of a TIFF file
     doubles: bytes
     text: bytes
@@ -45,6 +48,7 @@ class GeoKeys:
         if version != 1 or len(directory) < 8 + 8 * count:
             raise ValueError(f"GeoKeys of version {version} with {count} keys do not fit")
         values: dict[int, int | float] = {}
+        citations: dict[int, str] = {}
         for index in range(count):
             key, place, number, value = struct.unpack_from("<4H", directory, 8 + 8 * index)
             if place == 0:
@@ -53,16 +57,22 @@ class GeoKeys:
                 if 8 * (value + number) > len(doubles):
                     raise ValueError(f"GeoKey {key} lies beyond its numbers")
                 values[key] = struct.unpack_from("<d", doubles, 8 * value)[0]
-        return GeoKeys(values, directory[: 8 + 8 * count], doubles, text)
+            elif place == _ASCII:
+                told = text[value : value + number].decode("utf-8", "replace")
+                citations[key] = told.strip("|\0 ")
+        return GeoKeys(values, citations, directory[: 8 + 8 * count], doubles, text)
 
     def linear_unit(self) -> Says | None:
-        """The unit of x and y, if a key tells it.
+        """The unit of x and y, if a key tells it, or a name where no code does.
 
         Raises:
             ValueError: if it is one that nobody knows.
         """
         size = self.values.get(_LINEAR_UNIT_SIZE)
-        return self._unit(_LINEAR_UNITS, "ProjLinearUnits", size)
+        explicit = self._unit(_LINEAR_UNITS, "ProjLinearUnits", size)
+        if explicit is not None or self.projected not in (None, _USER_DEFINED):
+            return explicit
+        return self._cited(_PROJECTED_CITATION, 0) or self._cited(_CITATION, 0)
 
     def vertical_units(self) -> list[Says]:
         """What the keys say of the unit of heights, the unit itself before the vertical CRS.
@@ -79,7 +89,20 @@ class GeoKeys:
             unit = None
         if unit is not None:
             says.append(Says(f"GeoKey {_VERTICAL} (VerticalCSType) = {code}", unit))
-        return says
+        cited = [self._cited(_VERTICAL_CITATION, 0)]
+        cited += [self._cited(key, 1) for key in (_PROJECTED_CITATION, _CITATION)]
+        return says + [said for said in cited if said is not None]
+
+    def _cited(self, key: int, part: int) -> Says | None:
+        """The unit that a name tells, such as "UTM zone 18N + NAVD88 height (ftUS)".
+
+        Args:
+            key: the GeoKey.
+            part: which part of a compound name.
+        """
+        parts = self.citations.get(key, "").split(" + ")
+        unit = unit_in_words(parts[part]) if part < len(parts) else None
+        return None if unit is None else Says(f"GeoKey {key} = {parts[part][:60]!r}", unit)
 
     def _unit(self, key: int, name: str, size: float | None) -> Says | None:
         code = int(self.values.get(key, 0))
@@ -121,7 +144,7 @@ class GeoKeys:
         if code not in (None, _USER_DEFINED):
             return any_crs(f"EPSG:{code}", f"GeoKey {_PROJECTED} (ProjectedCSType)")
         if self.is_nameless or not self.values.keys() & {_GEODETIC, _PROJECTED}:
-            return None
+            return self._named_crs()
         rasterio = require("rasterio", "reading user-defined GeoKeys")
         try:
             with rasterio.MemoryFile(self._tiff()) as file, file.open(driver="GTiff") as dataset:
@@ -129,6 +152,20 @@ class GeoKeys:
         except (rasterio.errors.RasterioError, rasterio.errors.CRSError) as error:
             raise ValueError(f"GeoKeys that GDAL cannot read: {error}") from error
         return any_crs(wkt, "the CRS of its GeoKeys")
+
+    def _named_crs(self) -> Any:
+        """The projected CRS that a citation names as EPSG does; None without one."""
+        for key in (_PROJECTED_CITATION, _CITATION):
+            name = self.citations.get(key, "").partition(" + ")[0]
+            if " / " not in name:
+                continue
+            try:
+                crs = any_crs(name, f"GeoKey {key}")
+            except ValueError:
+                continue
+            if crs.is_projected and crs.name.lower() == name.lower():  # PROJ guesses, too
+                return crs
+        return None
 
     def _tiff(self) -> bytes:
         """A GeoTIFF file of one pixel with these keys: GDAL knows all their ways (TIFF 6.0)."""

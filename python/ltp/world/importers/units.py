@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """In which units a file counts, in height and in plan: by all that it says, and no guess."""
 
+import re
 from collections.abc import Sequence
 from functools import cache
 from typing import Any, NamedTuple
@@ -154,6 +155,15 @@ def unit_named(name: str) -> Unit | None:
         if found is not None:
             return found
     return None
+
+
+def unit_in_words(text: str) -> Unit | None:
+    """The unit of length in the name of a CRS, such as "NAVD88 height (ftUS)"; feet come first."""
+    words = set(re.findall("[a-z]+", text.lower()))
+    if words & {"ft", "foot", "feet", "ftus", "usft", "sft"}:
+        survey = words & {"us", "survey", "ftus", "usft", "sft"}
+        return unit_named("us survey foot" if survey else "foot")
+    return METRE if words & {"m", "metre", "metres", "meter", "meters"} else None
 
 
 def _plain(name: str) -> str:

@@ -18,23 +18,28 @@ laspy = pytest.importorskip("laspy")
 pyproj = pytest.importorskip("pyproj")
 
 FOOT, US_FOOT = 0.3048, 1200.0 / 3937.0
-Keys = Sequence[tuple[int, int | float]]
+Keys = Sequence[tuple[int, int | float | str]]
 Survey = Callable[..., Path]
 
 
 def geokeys(keys: Keys) -> list[Any]:
-    """The two records of GeoKeys; a float goes to the second one."""
+    """The records of GeoKeys; a float goes to the second one, a text to the third."""
+    texts = "".join(f"{value}|" for _, value in keys if isinstance(value, str))
     doubles = [value for _, value in keys if isinstance(value, float)]
     directory = struct.pack("<4H", 1, 1, 0, len(keys))
     for key, value in sorted(keys):
         if isinstance(value, float):
             directory += struct.pack("<4H", key, 34736, 1, doubles.index(value))
+        elif isinstance(value, str):
+            directory += struct.pack("<4H", key, 34737, len(value) + 1, texts.index(value))
         else:
             directory += struct.pack("<4H", key, 0, 1, value)
     records = [laspy.VLR("LASF_Projection", 34735, "GeoKeys", directory)]
     if doubles:
         packed = struct.pack(f"<{len(doubles)}d", *doubles)
         records.append(laspy.VLR("LASF_Projection", 34736, "doubles", packed))
+    if texts:
+        records.append(laspy.VLR("LASF_Projection", 34737, "texts", texts.encode() + b"\0"))
     return records
 
 
@@ -392,3 +397,61 @@ def test_an_extent_that_was_taken_before_rounding_is_read(
     path.write_bytes(data)
     with pytest.raises(ValueError, match="outside of the extent in its header"):
         las.read(path, cell=0.25)
+
+
+UTM_CITED = "NAD83 / UTM zone 18N"
+
+
+@pytest.mark.parametrize(
+    ("keys", "unit"),
+    [
+        ([(3072, 26918), (4097, "NAVD88 height (ftUS)")], US_FOOT),
+        ([(3072, 26918), (4097, "NAVD88 (US Survey Feet)")], US_FOOT),
+        ([(3072, 26918), (4097, "NAVD88 - Geoid12B (Feet)")], FOOT),
+        ([(3072, 26918), (4096, 5103), (4097, "NAVD_1988_Foot_US")], US_FOOT),
+        ([(3072, 26918), (1026, f"{UTM_CITED} + NAVD88 height (ft)")], FOOT),
+        ([(3073, f"{UTM_CITED} + NAVD88 height (ftUS)")], US_FOOT),
+    ],
+)
+def test_heights_in_feet_may_be_told_by_a_name_only(
+    survey: Survey, keys: Keys, unit: float
+) -> None:
+    path = survey(geokeys([(1024, 1), *keys]), height=unit)
+    with pytest.raises(ValueError, match=r"must hold heights in metres, not in .*foot.*GeoKey"):
+        las.read(path, cell=1.0)
+    world = las.read(path, cell=1.0, convert_heights=True)
+    assert_true_to_scale(world)
+    assert world.datum is not None
+    assert world.datum.crs == "EPSG:26918"
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "NAD83 / New York Long Island (ftUS)",
+        "NAD_1983_StatePlane_New_York_Long_Island_FIPS_3104_Feet",
+        "site grid in feet",
+    ],
+)
+@pytest.mark.parametrize("key", [1026, 3073])
+@pytest.mark.parametrize("more", [(), ((3072, 32767),)])
+def test_a_plan_in_feet_may_be_told_by_a_name_only(
+    survey: Survey, name: str, key: int, more: Keys
+) -> None:
+    path = survey(geokeys([(1024, 1), *more, (key, name)]), plan=FOOT, height=FOOT)
+    with pytest.raises(ValueError, match=r"metres, not .*foot"):
+        las.read(path, cell=1.0)
+
+
+@pytest.mark.parametrize("key", [1026, 3073])
+@pytest.mark.parametrize(
+    ("name", "crs"),
+    [(UTM_CITED, "EPSG:26918"), ("site grid (metres)", None), ("PCS Name = UTM_18N", None)],
+)
+def test_a_metric_crs_may_be_told_by_its_name_only(
+    survey: Survey, key: int, name: str, crs: str | None
+) -> None:
+    world = las.read(survey(geokeys([(1024, 1), (key, name), (4097, "NAVD88 (m)")])), cell=1.0)
+    assert_true_to_scale(world)
+    assert world.datum is not None
+    assert world.datum.crs == crs
