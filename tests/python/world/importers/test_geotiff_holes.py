@@ -181,6 +181,15 @@ def test_a_stored_code_is_one_whatever_its_scale(tmp_path: Path) -> None:
     assert_hole(world, hole, land * 0.01)
 
 
+@pytest.mark.parametrize("scale", [0.0, float("nan"), float("inf")])
+def test_a_scale_that_flattens_everything_is_refused(tmp_path: Path, scale: float) -> None:
+    paths = [write(tmp_path / f"{name}.tif", rolling()) for name in ("dsm", "dem")]
+    with rasterio.open(paths[0], "r+") as dataset:
+        dataset.scales = (scale,)
+    with pytest.raises(ValueError, match=r"dsm\.tif must have a scale other than"):
+        geotiff.read(dsm=paths[0], dem=paths[1])
+
+
 def test_several_fills_side_by_side(tmp_path: Path) -> None:
     land = rolling()
     holed, hole = land.copy(), np.zeros((N, N), dtype=bool)

@@ -128,6 +128,8 @@ def read_raster(
                         f"{path} lies on another grid than {like.path}: {grid}, "
                         f"expected {like.grid}; with align it is resampled onto that grid"
                     )
+                if not np.isfinite(dataset.scales[0]) or dataset.scales[0] == 0.0:
+                    raise ValueError(f"{path} must have a scale other than {dataset.scales[0]}")
                 stored, missing, report = read_band(path, dataset)
                 unit = frame.heights.metres
                 scale, offset = dataset.scales[0] * unit, dataset.offsets[0] * unit
