@@ -45,6 +45,13 @@ WATER: list[Tags] = [
     {"leisure": "swimming_pool", "layer": "-1"},
     {"amenity": "fountain"},
     {"leisure": "park", "natural": "water"},
+    {"landuse": "pond"},
+    {"landuse": "farmland", "crop": "rice"},
+    {"natural": "beach", "tidal": "yes"},
+    {"natural": "shoal"},
+    {"place": "sea"},
+    {"water": "lake"},
+    {"amenity": "swimming_pool"},
 ]
 PIERS: list[Tags] = [
     {"man_made": "pier"},

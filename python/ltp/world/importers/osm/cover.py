@@ -50,11 +50,17 @@ _AREAS: dict[LandClass, dict[str, tuple[str, ...]]] = {
     LandClass.PAVED: {"aeroway": ("apron", "runway", "taxiway", "helipad")},
     LandClass.ROAD: {"highway": tuple(_ROAD_WIDTHS)},
     LandClass.WATER: {
-        "natural": ("water", "wetland", "bay", "strait", "mud", "hot_spring"),
-        "waterway": ("riverbank", "dock", "river", "canal", "stream", "ditch", "drain"),
-        "landuse": ("reservoir", "basin", "salt_pond", "aquaculture"),
+        "natural": ("water", "wetland", "bay", "strait", "mud", "hot_spring", "reef", "shoal"),
+        "waterway": (
+            *("riverbank", "dock", "river", "canal", "stream", "ditch", "drain", "fairway"),
+            *("rapids", "waterfall", "fish_pass"),
+        ),
+        "landuse": ("reservoir", "basin", "pond", "salt_pond", "aquaculture"),
         "leisure": ("swimming_pool", "swimming_area"),
-        "amenity": ("fountain",),
+        "amenity": ("fountain", "swimming_pool"),
+        "man_made": ("salt_pond",),
+        "place": ("sea", "ocean"),
+        "crop": ("rice",),
     },
     LandClass.TREES: {"natural": ("wood", "scrub"), "landuse": ("forest",)},
     LandClass.RAIL: {"landuse": ("railway",)},
@@ -67,6 +73,13 @@ _COVER = {
     for value in values
 }
 _KEYS = tuple(dict.fromkeys(key for key, _ in _COVER))
+# What says that an area is wet beside any other tag.
+_WET = {
+    "tidal": frozenset({"yes"}),
+    "water": frozenset(
+        "lake river pond reservoir basin moat canal lagoon oxbow yes tidal stream".split()
+    ),
+}
 # A closed way with one of these is a ring road or a loop of track unless it says area=yes.
 _LOOPS = frozenset({"highway", "aeroway"})
 _STREAMS = frozenset(_STREAM_WIDTHS)
@@ -93,6 +106,8 @@ def is_area(tags: Tags) -> bool:
         return True
     if tags.get("waterway") in _STREAMS and not {"natural", "landuse", "leisure"} & tags.keys():
         return False
+    if "waterway" not in tags and "highway" not in tags and _wet(tags):
+        return True
     return any((key, tags.get(key, "")) in _COVER for key in _KEYS if key not in _LOOPS)
 
 
@@ -101,11 +116,15 @@ def area_cover(tags: Tags) -> LandClass | None:
     if tags.get("parking", "") in _PARKED_ELSEWHERE:
         return None
     found = [_COVER[pair] for key in _KEYS if (pair := (key, tags.get(key, ""))) in _COVER]
-    if LandClass.WATER in found:  # a park that is a wetland, too
+    if LandClass.WATER in found or _wet(tags):  # a park that is a wetland, too
         return LandClass.WATER
     if found:
         return found[0]
     return LandClass.ROAD if "area:highway" in tags else None
+
+
+def _wet(tags: Tags) -> bool:
+    return any(tags.get(key, "") in values for key, values in _WET.items())
 
 
 def island(tags: Tags) -> bool:
