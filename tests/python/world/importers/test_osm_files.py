@@ -231,6 +231,15 @@ def test_an_outline_that_is_not_closed_is_closed_and_reported(tmp_path: Path) ->
     assert any("an outline that is not closed: closed, such as w5" in line for line in world.report)
 
 
+def test_an_answer_that_a_server_broke_off_is_refused(tmp_path: Path) -> None:
+    path = town().write_xml(tmp_path / "a.osm")
+    text = path.read_text(encoding="utf-8")
+    remark = "<remark> runtime error: Query timed out in 'query' at line 3 </remark>"
+    path.write_text(text.replace("</osm>", f"{remark}</osm>"), encoding="utf-8")
+    with pytest.raises(ValueError, match=r"a\.osm .*broke off its answer: runtime error: Query"):
+        read(path)
+
+
 # --- hostile files -------------------------------------------------------------------------------
 
 

@@ -23,6 +23,7 @@ _UNIT = 1e7  # of osmium's whole-number coordinates [1/degree]
 _NOWHERE = 2**31 - 1  # a coordinate that is not known
 _CHUNK = 100_000  # references looked up at a time
 _RELATIONS = frozenset({"multipolygon", "building"})
+_LAST_WORDS = 4096  # bytes at the end of an answer in which the server says why it broke off
 _PURPOSE = "reading OpenStreetMap files"
 
 
@@ -94,6 +95,8 @@ def read_source(path: Path, near: Box) -> Source:
     try:
         if path.suffix == ".pbf":
             check_frames(path)
+        else:
+            _check_answer(path)
         reading = _Reading(osmium, path, near)
         reading.relations()
         reading.nodes()
@@ -235,6 +238,20 @@ class _Reading:
 
 def _tags(item: Any) -> dict[str, str]:
     return {tag.k: tag.v for tag in item.tags}
+
+
+def _check_answer(path: Path) -> None:
+    """Refuse what an Overpass server sent before it ran out of time or memory.
+
+    Raises:
+        ValueError: with what the server says.
+    """
+    with path.open("rb") as file:
+        file.seek(max(path.stat().st_size - _LAST_WORDS, 0))
+        found = re.search(rb"<remark>\s*(runtime error[^<]*)", file.read())
+    if found is not None:
+        text = found.group(1).decode("utf-8", "replace").strip()
+        raise ValueError(f"the server broke off its answer: {text}")
 
 
 def _struck_out(path: Path) -> set[tuple[str, int]]:
