@@ -77,7 +77,20 @@ _KEYS = tuple(dict.fromkeys(key for key, _ in _COVER))
 _WET = {
     "tidal": frozenset({"yes"}),
     "water": frozenset(
-        "lake river pond reservoir basin moat canal lagoon oxbow yes tidal stream".split()
+        [
+            "lake",
+            "river",
+            "pond",
+            "reservoir",
+            "basin",
+            "moat",
+            "canal",
+            "lagoon",
+            "oxbow",
+            "yes",
+            "tidal",
+            "stream",
+        ]
     ),
 }
 # A closed way with one of these is a ring road or a loop of track unless it says area=yes.
