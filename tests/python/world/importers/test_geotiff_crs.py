@@ -417,3 +417,36 @@ def test_a_code_that_nobody_knows_is_refused(write: Write) -> None:
     path = patched(write("dsm.tif", house()), (3072, 26918), (3072, 1))
     with pytest.raises(ValueError, match=r"dsm\.tif has a CRS that nobody knows: GeoKey 3072 = 1"):
         geotiff.read(dsm=path, dem=path)
+
+
+@pytest.mark.parametrize(
+    ("tags", "band", "unit"),
+    [
+        ({"UNITS": "feet"}, None, 0.3048),
+        ({"Z_UNITS": "US survey feet"}, None, 1200.0 / 3937.0),
+        ({"VerticalUnit": "Foot_US"}, None, 1200.0 / 3937.0),
+        ({}, "elevation (ft)", 0.3048),
+        ({"UNITS": "metres"}, "height [m]", 1.0),
+        ({"TIFFTAG_RESOLUTIONUNIT": "2 (pixels/inch)", "UNITS": "none"}, "band 1", 1.0),
+    ],
+)
+def test_tags_and_names_of_bands_tell_units_too(
+    write: Write, tags: dict[str, str], band: str | None, unit: float
+) -> None:
+    ground = np.full((N, N), 10.0)
+    house = ground.copy()
+    house[10:20, 10:20] = 40.0
+    paths = []
+    for name, heights in (("dsm.tif", house), ("dem.tif", ground)):
+        paths.append(write(name, (heights / unit).astype(np.float32)))
+        with rasterio.open(paths[-1], "r+") as dataset:
+            dataset.update_tags(**tags)
+            if band is not None:
+                dataset.set_band_description(1, band)
+    if unit != 1.0:
+        with pytest.raises(
+            ValueError, match=r"dsm\.tif must hold heights in metres, not in .*foot"
+        ):
+            geotiff.read(dsm=paths[0], dem=paths[1])
+    world = geotiff.read(dsm=paths[0], dem=paths[1], convert_heights=True)
+    assert world.height_above_ground.max() == pytest.approx(30.0, abs=0.01)

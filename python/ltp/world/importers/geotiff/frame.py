@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The frame of a raster: its CRS, held against where it lies, and the unit of its heights."""
 
+import re
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -18,7 +19,17 @@ from ltp.world.crs import (
 )
 
 from ..geokeys import GeoKeys
-from ..units import HeightScale, Says, height_scale, metric_frame, refuse_depths, unit_named
+from ..units import (
+    HeightScale,
+    Says,
+    height_scale,
+    metric_frame,
+    refuse_depths,
+    unit_in_words,
+    unit_named,
+)
+
+_UNIT_TAG = re.compile(r"(^|_|z|vertical|elevation|height)units?(_?type)?$", re.IGNORECASE)
 
 
 class Frame(NamedTuple):
@@ -102,6 +113,7 @@ def _heights_say(path: Path, dataset: Any, keys: GeoKeys | None, crs: Any | None
         # GDAL fills the unit of the band in from the vertical CRS, where the file has no other.
         if vertical is None or vertical.metres != unit.metres:
             says.append(Says("the unit of its band", unit))
+    says += _words_say(dataset)
     if keys is not None:
         try:
             says += keys.vertical_units()
@@ -110,6 +122,16 @@ def _heights_say(path: Path, dataset: Any, keys: GeoKeys | None, crs: Any | None
     if vertical is not None:
         says.append(Says("its vertical CRS", vertical))
     return says
+
+
+def _words_say(dataset: Any) -> list[Says]:
+    """What free text tells of the unit: the name of the band, and tags such as UNITS=feet."""
+    texts = {"the name of its band": dataset.descriptions[0] or ""}
+    for key, text in {**dataset.tags(), **dataset.tags(1)}.items():
+        if _UNIT_TAG.search(key):
+            texts[f"its tag {key}"] = text
+    found = ((where, unit_in_words(text)) for where, text in texts.items())
+    return [Says(where, unit) for where, unit in found if unit is not None]
 
 
 def check_heights_agree(frames: dict[Path, Frame]) -> None:
