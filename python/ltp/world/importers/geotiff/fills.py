@@ -9,9 +9,10 @@ its rim jumps the same way by more than a wall of rock does:
 
 * down by 30 m, if the value is one that files are filled with (0, -1, -99, 255, ...) or below the
   sea's level; by 100 m, whatever the value;
-* up by 100 m, if the value is one that files are filled with (999, 8888, the largest of its type);
-  by more than anything built (830 m), whatever the value. Up by 200 m, the block is doubtful: it
-  may be a tower in a model of "bare" ground, so its height stays, and nobody lands on it.
+* up by 100 m, if the value is one that files are filled with (999, 8888, 255, the largest of its
+  type); by more than anything built (830 m), whatever the value. Up by 200 m, the block is
+  doubtful: it may be a tower in a model of "bare" ground, so its height stays, and nobody lands
+  on it.
 
 All of these thresholds are *assumed*, and grow with the cell: at least three times its size.
 """
@@ -33,6 +34,7 @@ _UP_CODE, _UP_DOUBTFUL, _UP_ANY = 100.0, 200.0, HIGHEST_BUILT  # [m]
 _STEEPEST = 3.0  # rise over run of a wall of rock: 72 degrees
 _RIM = 0.9  # share of the rim that must jump; the rest may touch another hole
 _ONE_SIDED = 0.7  # the same of all the cells beside walls that hold the value, at a first look
+_BYTE = 255.0  # fill of a byte, which outlives a conversion; of bare ground only, as a roof may be
 _MANY = 4  # cells that hold a value before it is more than chance
 _MOST_VALUES = 16  # that are looked at before one is found, the commonest first
 _MOST_FILLS = 8  # that one raster is filled with; more are found only in noise
@@ -132,7 +134,8 @@ def _candidates(
     order = np.argsort(-counts, kind="stable")
     likely = [k for k in order if one_sided[k]][:_MOST_VALUES]
     middle = float(np.nanmedian(values))
-    ranked = [(v, is_code((v - offset) / scale, largest)) for v in map(float, held[likely])]
+    stored = {v: (v - offset) / scale for v in map(float, held[likely])}
+    ranked = [(v, n == _BYTE or is_code(n, largest)) for v, n in stored.items()]
     return sorted(ranked, key=lambda pair: (not pair[1], -abs(pair[0] - middle)))
 
 
