@@ -131,6 +131,7 @@ def test_of_a_list_the_largest_and_of_a_sum_the_whole(text: str, metres: float) 
         ("0,123 km", 123.0),
         ("1.234", 1.234),
         ("12,50", 12.5),
+        ("30, 40", 40.0),
     ],
 )
 def test_a_comma_before_three_digits_separates_thousands(text: str, metres: float | None) -> None:
@@ -160,6 +161,7 @@ def test_no_text_is_too_odd(text: str) -> None:
     [
         ("3", 3.0), ("2.5", 2.5), ("3,5", 3.5), ("2½", 2.5), ("2+1", 3.0), ("2 + 1", 3.0),
         ("2+1+1", 4.0), ("3-4", 4.0), ("3–4", 4.0), ("3;4", 4.0), ("1,2,3", 3.0), ("3+", 3.0),
+        ("R+4", 5.0), ("RDC+2", 3.0),
         ("~3", 3.0), ("ca. 5", 5.0), (">5", 5.0), ("5 floors", 5.0), ("G+3", 4.0), ("٣", 3.0),
         ("0", 0.0), ("-1", None), ("-2;-1", None), ("-1-3", 3.0), ("-1;3", 3.0), ("", None),
         (None, None), ("many", None),

@@ -67,6 +67,8 @@ _UNIT = re.compile(r"\d[.,]?\s*([^\d\s.,+]+)[.,]?\s*$")
 _BARE = re.compile(r"[\d.,\s]+")
 _TOLERANCE = re.compile(r"(?<=[^\s])\s*(?:\+/-|±)\s*(?=\d)")  # 120 ± 5: at most 125
 _LONGEST = 100  # of a text that is still read
+_ALTERNATIVE = re.compile(r"[;/()\[\]]|\bor\b|\boder\b|(?<=\d),\s+(?=\d)")
+_GROUND_FLOORS = frozenset({"g", "gf", "r", "rc", "rdc", "p"})  # English, French, Serbian
 
 
 @lru_cache(maxsize=4096)
@@ -100,7 +102,7 @@ def _pieces(text: str | None) -> list[str]:
     plain = "".join(_digit(character) for character in plain).replace("''", '"')
     plain = _MIXED.sub(lambda m: f"{int(m[1]) + int(m[2]) / int(m[3]):.3f}", plain)
     plain = _TOLERANCE.sub("+", _HYPHENS.sub(" ", plain)).replace("מ'", "מ")
-    return [piece.strip() for piece in re.split(r"[;/()\[\]]|\bor\b|\boder\b", plain)]
+    return [piece.strip() for piece in _ALTERNATIVE.split(plain)]
 
 
 def _digit(character: str) -> str:
@@ -177,7 +179,7 @@ def _storeys(text: str) -> float | None:
     total = 0.0
     for part in text.split("+"):
         numbers = re.findall(r"\d{1,4}(?:[.,]\d{1,3})?(?!\d)", part)
-        if part.strip() == "g":  # G+3: a ground floor and three
+        if part.strip() in _GROUND_FLOORS:  # G+3: a ground floor and three
             numbers = ["1"]
         if part.count(",") > 1:
             numbers = re.findall(r"\d{1,4}", part)
