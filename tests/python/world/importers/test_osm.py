@@ -112,6 +112,17 @@ def test_a_part_lower_than_its_outline_lowers_it(read: Callable[..., World]) -> 
     assert at(world, 55, 15) == (7.5, LandClass.BUILDING)
 
 
+def test_an_outline_higher_than_its_parts_stays_so_beside_them(
+    read: Callable[..., World],
+) -> None:
+    extract = Extract()
+    extract.way(box(10, 10, 40, 40), {"building": "yes", "height": "80"})
+    extract.way(box(10, 10, 25, 40), {"building:part": "yes", "height": "20"})
+    world = read(extract)
+    assert at(world, 20, 20)[0] == 20.0
+    assert at(world, 35, 20)[0] == 80.0  # something must be so high, and it is not the part
+
+
 def test_multipolygons_have_holes_and_several_rings(read: Callable[..., World]) -> None:
     extract = Extract()
     # The outer ring in two halves, as mappers cut them.

@@ -35,7 +35,9 @@ def blocks(areas: list[Shape], default_height: float) -> list[Block]:
 
     Where parts cover an outline, they count. What they leave of it gets the outline's own height,
     but if that only restates the tallest part (the tower's height, tagged on the whole block) or is
-    missing, the height of the lowest part. A part without a height takes the outline's.
+    missing, the height of the lowest part. An outline that is higher than all its parts keeps its
+    height where no part is: something there must be so high. A part without a height takes the
+    outline's.
     """
     outlines = [shape for shape in areas if tags.building(shape.tags)]
     parts = [shape for shape in areas if tags.part(shape.tags) and not tags.building(shape.tags)]
@@ -61,7 +63,7 @@ def blocks(areas: list[Shape], default_height: float) -> list[Block]:
         shapely = require("shapely", "reading OpenStreetMap files")
         rest = outline.geometry.difference(shapely.union_all([block.area for block in inside]))
         tops = [block.height for block in inside]
-        if origin == Origin.GUESS or height >= max(tops) - _RESTATES:
+        if origin == Origin.GUESS or abs(height - max(tops)) <= _RESTATES:
             lowest = min(inside, key=lambda block: block.height)
             height = lowest.height
             origin = Origin.GUESS if lowest.origin == Origin.GUESS else Origin.PARTS
