@@ -78,7 +78,10 @@ def brief_cells(
     for summary, line in zip(summaries, lines, strict=True):
         theirs = ["" if index is None else line[index][0] for index in paper]
         theirs[0] = "  paper"
-        pairs.append(([line[index] for index in ours], theirs if summary.paper else None))
+        mine = [line[index] for index in ours]
+        if summary.timed_out_only:
+            mine[0] = ("  timed out", False)
+        pairs.append((mine, theirs if summary.paper else None))
     return list(_BRIEF.values()), pairs
 
 
@@ -164,13 +167,12 @@ _BRIEF = {
     "mean P (SD)": "P",
     "L_LP/L_GP (SD)": "L",
     "ms per plan": "ms",
-    "95 % ms": "95 %",
     "completed": "done",
     "waypoints dropped (wrongly, at 0.5 m)": "dropped",
     "collisions": "hits",
     "smallest clearance [m]": "clear",
 }
-_BRIEF_PAPER = ("", "", "", "paper: P", "paper: L", "paper: ms", "", "", "", "", "")
+_BRIEF_PAPER = ("", "", "", "paper: P", "paper: L", "paper: ms", "", "", "", "")
 
 _CSV_COLUMNS: dict[str, Callable[[Summary], object]] = {
     "world": lambda s: s.world,

@@ -15,6 +15,7 @@ from ltp.evaluation.campaign.paper import PAPER
 from ltp.evaluation.campaign.summary import Spread, summarise
 from ltp.evaluation.campaign.tables import (
     averaged_over,
+    brief_cells,
     csv_table,
     markdown_table,
     table_cells,
@@ -182,3 +183,17 @@ def test_too_few_values_have_no_spread() -> None:
     assert Spread.of([0.4]).mean == 0.4 and math.isnan(Spread.of([0.4]).sd)
     assert math.isnan(Spread.of([]).mean)
     assert "–" in markdown_table(summarise([DIJKSTRA], []))
+
+
+def test_the_brief_table_fits_80_columns() -> None:
+    rows = flights(TABLE_I[4], [0.5, 0.6], dropped=50, wrongly_dropped_fine=10, length_ratio=1.25)
+    rows += flights(TABLE_I[4], [0.5], seed=2, outcome="timed_out")
+    titles, lines = brief_cells(summarise([TABLE_I[4]], rows))
+    shown = [
+        [titles],
+        *([[cell for cell, _ in ours], *([paper] if paper else [])] for ours, paper in lines),
+    ]
+    cells = [line for group in shown for line in group]
+    widths = [max(len(line[i]) for line in cells) for i in range(len(titles))]
+    assert sum(widths) + len(widths) + 1 <= 80
+    assert lines[1][0][0][0] == "  timed out"
