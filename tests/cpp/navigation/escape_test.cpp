@@ -268,7 +268,7 @@ TEST(Reason, TellsGroundFromWallFromBudget) {
   const Path plate = cells(all);
   for (const double below : {0.0, 4.0}) {  // the UAV's own cells, and the ground's just below
     LocalTrajectoryPlanner ltp = make(near);
-    ltp.sense(kStart, plate.rowwise() - Eigen::RowVector3d(0, 0, below), kNothing);
+    ltp.sense(kStart, Path(plate.rowwise() - Eigen::RowVector3d(0, 0, below)), kNothing);
     EXPECT_EQ(ltp.update(kStart), NavigationStatus::Holding);
     EXPECT_EQ(ltp.reason(), NavigationReason::StartInGround);
   }
