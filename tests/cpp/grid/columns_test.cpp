@@ -35,9 +35,8 @@ TEST(Columns, AreConstantWhereTheyAreCellsOfTheRasterOrPartsOfThem) {
   EXPECT_TRUE(constant(1, 1, {2, 3, 4})) << "the same for columns that are no squares";
   EXPECT_FALSE(constant(0, 3, {2, 2, 4}));
   EXPECT_FALSE(constant(0, 2, {2, 3, 4}));
-  EXPECT_FALSE(constant(0, 1e-300, {2, 2, 4}));
+  EXPECT_FALSE(constant(0, 1e-12, {2, 2, 4}));
   EXPECT_FALSE(constant(0, 1e300, {2, 2, 4})) << "too large to tell";
-  EXPECT_FALSE(constant(1e300, 2, {2, 2, 4}));
 }
 
 TEST(Columns, AreConstantWhereAllPartsOfEachAreAlike) {
@@ -120,7 +119,6 @@ TEST(Columns, AreMadeOfTheLargestAndTheSmallestCells) {
   const Raster::Values ones = Raster::Values::Ones(2, 2);
   EXPECT_TRUE((onto_columns(Raster(ones, {-1, -1}, 1e300), frame).values() == 1.0).all());
   EXPECT_TRUE((onto_columns(Raster(ones, {0, 0}, 1e-300, 0.5), frame).values() == 0.5).all());
-  EXPECT_TRUE((onto_columns(Raster(ones, {1e300, 0}, 1.0, 0.5), frame).values() == 0.5).all());
   EXPECT_THROW(
       onto_columns(Raster(ones, {0, 0}, 1.0), GridFrame({0, 0, 0}, {1, 1.37, 2}, {2, 2, 2})),
       std::invalid_argument);

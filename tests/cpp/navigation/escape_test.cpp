@@ -266,8 +266,10 @@ TEST(Reason, TellsGroundFromWallFromBudget) {
     for (int dy = -6; dy <= 6; ++dy) all.push_back({dx, dy});
   }
   const Path plate = cells(all);
+  ObstacleMapOptions map = small_map();
+  map.blind_distance = 0.0;                // the UAV stands in what it hits
   for (const double below : {0.0, 4.0}) {  // the UAV's own cells, and the ground's just below
-    LocalTrajectoryPlanner ltp = make(near);
+    LocalTrajectoryPlanner ltp = make(near, map);
     ltp.sense(kStart, Path(plate.rowwise() - Eigen::RowVector3d(0, 0, below)), kNothing);
     EXPECT_EQ(ltp.update(kStart), NavigationStatus::Holding);
     EXPECT_EQ(ltp.reason(), NavigationReason::StartInGround);

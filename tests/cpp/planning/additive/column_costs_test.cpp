@@ -120,7 +120,7 @@ std::vector<double> slow_field(const Instance& made) {
   for (const Step& step : steps()) {
     const Cell from = problem.goal + step.offset();
     if (from.z() < problem.levels.lowest || from.z() > problem.levels.highest) continue;
-    offer(from, straight(made, frame.centre(from), made.query.goal));
+    offer(from, straight(made, problem.vertex(from), made.query.goal));
   }
   while (!open.empty()) {
     const auto [cost, index] = open.top();
