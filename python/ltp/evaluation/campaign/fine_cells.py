@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 FINE_CELL = 0.5  # edge of a cell [m]
 _MOST_CELLS = 4000  # along x or y: a larger world is judged by larger cells
 _MOST_LEVELS = 4  # kept
+_LOOK = 100  # cells round both ends that are looked at first
 _RING = 2  # free cells kept round the world: one may fly round its edge
 
 
@@ -25,8 +26,8 @@ class FineCells:
 
     The world is a height field, so whoever fits at a height fits above it too: a way inside a band
     of altitudes can be lifted to the top of the band. So there is one exactly if both ends are free
-    and a level flood at the top joins them. Each level is flooded once a component, however many
-    drops are asked about.
+    and a level flood at the top joins them. The flood first looks round the two ends, where most
+    ways are found, then at the whole world; the levels of the world are kept.
 
     Args:
         world: what stands where.
@@ -51,45 +52,49 @@ class FineCells:
         """Whether the vehicle can go from `start` to `goal` (3,) [m], at most `above` [m] over the
         higher one.
 
-        A start that is nearer to something than the radius counts as the free cell above it where
-        there is one in the band, else it reaches nothing.
+        A start that is nearer to something than the radius counts as the cell above it, at the top
+        of the band; if that is blocked too it reaches nothing.
         """
         ends = np.array([start, goal], dtype=np.float64)
-        if not self._level(ends[1, 2]).free[self._cell_of(ends[1])]:
+        first, last = (self._cell_of(end) for end in ends)
+        if not self._free(ends[1, 2], last, last + 1).all():
             return False
         top = min(ends[:, 2].max() + above, self._top + self._radius + self.cell)
         z = max(top, float(ends[:, 2].max()))
-        first, last = (self._component(z, self._cell_of(end)) for end in ends)
-        return first == last != 0
+        low = np.maximum(np.minimum(first, last) - _LOOK, 0)
+        high = np.minimum(np.maximum(first, last) + _LOOK + 1, self._dims)
+        if 4 * np.prod(high - low) < np.prod(self._dims):
+            near = _Level.of(self._free(z, low, high))
+            if near.joins(first - low, last - low):
+                return True
+        return self._world(z).joins(first, last)
 
-    def _component(self, z: float, cell: tuple[int, int]) -> int:
-        """The number of the free component at height `z` [m] that a cell is in; 0 if blocked."""
-        level = self._level(z)
-        if level.free[cell] and not level.labels[cell]:
-            level.fill(cell)
-        return int(level.labels[cell])
-
-    def _cell_of(self, point: NDArray[np.float64]) -> tuple[int, int]:
+    def _cell_of(self, point: NDArray[np.float64]) -> NDArray[np.int64]:
         """Beyond the ring everything is as free as the ring."""
-        cell = np.floor((point[:2] - self._corner) / self.cell).astype(int)
-        i, j = np.clip(cell, 1, self._dims - 2)
-        return int(i), int(j)
+        cell = np.floor((point[:2] - self._corner) / self.cell).astype(np.int64)
+        return np.clip(cell, 1, self._dims - 2)
 
-    def _level(self, z: float) -> "_Level":
-        """The level at height `z` [m]."""
+    def _free(self, z: float, low: NDArray[np.int64], high: NDArray[np.int64]) -> NDArray[np.bool_]:
+        """Where the vehicle fits at height `z` [m], of the columns from `low` to below `high`."""
         from ltp._core import GridFrame, inflate
 
+        reach, level = self._reach, math.floor(z / self.cell)
+        corner = self._corner + (low - reach) * self.cell
+        origin = (*corner, (level - reach) * self.cell)
+        dims = [*map(int, high - low + 2 * reach), 2 * reach + 1]
+        frame = GridFrame(origin, (self.cell,) * 3, dims)
+        solid = inflate(self._surface.occupancy(frame), self._radius).columns
+        inside = solid[reach:-reach, reach:-reach, 0]
+        return np.asarray(inside >> np.uint64(reach) & np.uint64(1) == 0)
+
+    def _world(self, z: float) -> "_Level":
+        """The whole level at height `z` [m]."""
         number = math.floor(z / self.cell)
         if number not in self._levels:
-            height = 2 * self._reach + 1
-            origin = (*self._corner, (number - self._reach) * self.cell)
-            frame = GridFrame(origin, (self.cell,) * 3, [*map(int, self._dims), height])
-            solid = inflate(self._surface.occupancy(frame), self._radius).columns
-            free = solid[:, :, 0] >> np.uint64(self._reach) & np.uint64(1) == 0
-            free[[0, -1]], free[:, [0, -1]] = False, False  # a flood ends there
             if len(self._levels) >= _MOST_LEVELS:
                 del self._levels[next(iter(self._levels))]
-            self._levels[number] = _Level(free, np.zeros(free.shape, dtype=np.int32))
+            whole = self._free(z, np.zeros(2, dtype=np.int64), self._dims)
+            self._levels[number] = _Level.of(whole)
         return self._levels[number]
 
 
@@ -100,7 +105,24 @@ class _Level:
     free: NDArray[np.bool_]  # (nx, ny)
     labels: NDArray[np.int32]  # (nx, ny) number of the component, from 1; 0: not flooded
 
-    def fill(self, cell: tuple[int, int]) -> None:
+    @staticmethod
+    def of(free: NDArray[np.bool_]) -> "_Level":
+        """A level; a flood ends at its outermost cells."""
+        free[[0, -1]], free[:, [0, -1]] = False, False
+        return _Level(free, np.zeros(free.shape, dtype=np.int32))
+
+    def joins(self, first: NDArray[np.int64], last: NDArray[np.int64]) -> bool:
+        """Whether a walk leads from one cell to the other."""
+        one, other = (self._component((int(i), int(j))) for i, j in (first, last))
+        return one == other != 0
+
+    def _component(self, cell: tuple[int, int]) -> int:
+        """The number of the component that a cell is in; 0 if it is blocked."""
+        if self.free[cell] and not self.labels[cell]:
+            self._fill(cell)
+        return int(self.labels[cell])
+
+    def _fill(self, cell: tuple[int, int]) -> None:
         """Give a new number to all free cells that steps to the four neighbours reach.
 
         Where cutting corners is forbidden, eight neighbours reach no more.
