@@ -23,13 +23,13 @@ def open_world(source: str) -> "World":
     from ltp.world import World
 
     name, _, seed = source.partition(":")
-    if name == "city" and not Path(source).exists():
+    if name == "city" and not Path(source).is_file():  # a folder of that name is no world
         from ltp.world.city import make_city
 
         if seed and not seed.isdigit():
             raise ValueError(f"{source}: the seed of the city must be a whole number >= 0")
         return make_city(seed=int(seed) if seed else 1)
-    if not Path(source).exists():
+    if not Path(source).is_file():
         raise ValueError(f"{source}: no such world file (the built-in world is called `city`)")
     return World.load(source)
 
