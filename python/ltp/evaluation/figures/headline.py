@@ -19,9 +19,11 @@ def headline(world: World, records: Sequence[FlightRecord]) -> str:
             continue
         if len(records) == 1:
             return f"The flight {what}{_where(bad[0])}"
+        good = sum(record.outcome is Outcome.REACHED for record in records)
+        rest = f"; {good} of {len(records)} fly to the end" if good else ""
         if len(bad) == 1:
-            return f"{record_title(bad[0])} {what}{_where(bad[0])}"
-        return f"{len(bad)} of {len(records)} flights: each {what}"
+            return f"{record_title(bad[0])} {what}{_where(bad[0])}{rest}"
+        return f"{len(bad)} of {len(records)} flights: each {what}{rest}"
     drops = max(len(record.dropped) for record in records)
     count = len(records[0].global_path) - 1
     if drops == count:

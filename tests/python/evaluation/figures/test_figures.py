@@ -226,6 +226,7 @@ def test_the_headline_says_what_happened(flown) -> None:
     assert said({}) == "Round the buildings on the global path"
     assert said(hit).startswith("The flight hits an obstacle after")
     assert said({}, hit).startswith(f"{record_title(record)} hits an obstacle after")
+    assert said({}, hit, {}).endswith("; 2 of 3 fly to the end")
     assert said(hit, late, hit) == "2 of 3 flights: each hits an obstacle"
     assert said(late, {}).startswith(f"{record_title(record)} runs out of time, ")
     drops = [event(i, "dropped", "unreachable") for i in range(len(record.global_path) - 1)]
