@@ -25,6 +25,7 @@ from ltp.config.guidance import GuidanceOptions
 from ltp.config.moved import MOVED, warn_of, with_new_names
 from ltp.config.ranges import check_ranges, check_window
 from ltp.config.tables import assign, differences, field_names, plain, read_toml, toml_lines
+from ltp.files import atomic_write
 from ltp.world.classes import Landable, landable_classes
 from ltp.world.landable import LandingLimits
 
@@ -91,7 +92,13 @@ class MissionConfig:
         self.check()
 
     def check(self) -> None:
-        """Raise `ValueError` that names the first value out of range."""
+        """Raise `ValueError` that names the first value out of range, or of another kind."""
+        for item in dataclasses.fields(self):
+            kind, value = item.default_factory, getattr(self, item.name)
+            if isinstance(kind, type) and not isinstance(value, kind):
+                raise ValueError(f"{item.name} = {value!r:.80}: expected {kind.__name__}")
+        if not isinstance(self.planner, str):
+            raise ValueError(f"planner = {self.planner!r:.80}: expected a planner's name")
         self.planner = planner_info(self.planner).name  # an old name becomes the new one
         check_ranges(self)
         check_window(self.mapping)
@@ -107,8 +114,6 @@ class MissionConfig:
         allowed = landable_classes(self.landable)
         if not isinstance(self.landable, str):
             self.landable = tuple(kind.name.lower() for kind in sorted(allowed))
-        if not isinstance(self.landing, LandingLimits):
-            raise ValueError(f"landing = {self.landing!r}: expected LandingLimits")
 
     def to_dict(self) -> dict[str, Any]:
         """All settings as plain values: numbers, strings, lists, nested dictionaries."""
@@ -142,13 +147,14 @@ class MissionConfig:
     def load(cls, path: str | os.PathLike[str]) -> Self:
         """Read a TOML file."""
         try:
-            return cls.from_toml(Path(path).read_text(encoding="utf-8"))
+            return cls.from_toml(Path(path).read_text(encoding="utf-8-sig"))
         except ValueError as error:
             raise ValueError(f"{path}: {error}") from error
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a TOML file."""
-        Path(path).write_text(self.to_toml(), encoding="utf-8")
+        """Write a TOML file, all at once or not at all."""
+        with atomic_write(path) as file:
+            file.write(self.to_toml().encode())
 
     def __repr__(self) -> str:
         """The planner, and what differs from the defaults."""

@@ -69,13 +69,12 @@ def assign(holder: Any, values: dict[str, Any], prefix: str = "") -> None:
                     assign(current, value, key + ".")
                     value = current
             elif any(isinstance(current, t) != isinstance(value, t) for t in (bool, str)):
-                raise ValueError(f"{key} = {value!r:.80}: expected {type(current).__name__}")
+                raise ValueError(f"{key} = {value!r:.80}: expected {_kind(current)}")
             elif isinstance(value, list) and any(isinstance(item, bool) for item in value):
                 raise ValueError(f"{key} = {value!r:.80}: expected numbers")
             setattr(holder, name, value)
         except TypeError as error:
-            expected = type(current).__name__
-            raise ValueError(f"{key} = {value!r:.80}: expected {expected}") from error
+            raise ValueError(f"{key} = {value!r:.80}: expected {_kind(current)}") from error
 
 
 def differences(values: dict[str, Any], others: dict[str, Any], prefix: str = "") -> dict[str, Any]:
@@ -119,6 +118,16 @@ def toml_lines(holder: Any, prefix: str = "") -> list[str]:
         else:
             lines.append(f"{name} = {_toml(plain(value))}{comment}")
     return lines + tables
+
+
+def _kind(current: Any) -> str:
+    """What is expected in place of a setting's value, in words."""
+    value = plain(current)
+    if isinstance(value, list):
+        whole = all(isinstance(item, int) for item in value)
+        return f"{len(value)} {'whole numbers' if whole else 'numbers'}"
+    kinds = {bool: "true or false", str: "a text", int: "a whole number in its range"}
+    return kinds.get(type(value), "a number")
 
 
 def _refuse_unknown(holder: object, values: dict[str, Any], key: str) -> None:

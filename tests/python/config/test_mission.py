@@ -4,7 +4,9 @@
 
 import copy
 import dataclasses
+import errno
 import math
+import os
 import warnings
 from collections.abc import Callable
 from pathlib import Path
@@ -12,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from ltp._core import LidarOptions, PlannerOptions
+from ltp._core import LidarOptions, PlannerOptions, RiskOptions
 from ltp.config import MissionConfig, VehicleOptions
 from ltp.world import LandClass, LandingLimits
 
@@ -56,6 +58,20 @@ def test_the_file_is_readable(tmp_path) -> None:
     assert MissionConfig.load(path).to_dict() == MissionConfig().to_dict()
 
 
+def test_a_file_that_cannot_be_written_leaves_the_old_one(tmp_path, monkeypatch) -> None:
+    path = tmp_path / "mission.toml"
+    MissionConfig(planner="ggwp").save(path)
+
+    def full(descriptor: int) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(OSError, match=r"mission\.toml"):
+        MissionConfig().save(path)
+    assert MissionConfig.load(path).planner == "ggwp"
+    assert [file.name for file in tmp_path.iterdir()] == ["mission.toml"]
+
+
 @pytest.mark.parametrize(
     ("text", "culprit"),
     [
@@ -82,7 +98,12 @@ def test_the_file_is_readable(tmp_path) -> None:
         ("[mapping]\ninflation_radius = nan", "inflation_radius"),
         ("[lidar]\nmax_range = -1", "max_range"),
         ("[navigation]\nband = [-1, 0]", "band"),
-        ("[navigation]\nband = 3", "band"),
+        ("[navigation]\nband = 3", "navigation.band = 3: expected 2 numbers"),
+        ("[navigation]\nband = [0]", r"navigation.band = \[0\]: expected 2 numbers"),
+        ("[mapping]\ndims = [1.5, 2, 3]", "mapping.dims = .*: expected 3 whole numbers"),
+        ("[mapping]\ncell = [1.0, 2.0]", "mapping.cell = .*: expected 3 numbers"),
+        ("[lidar]\nseed = -1", "lidar.seed = -1: expected a whole number in its range"),
+        ("planner = 3", "planner = 3: expected a text"),
         ("landable = 'grass'", "landable must be one of strict, wide"),
         ("landable = 'Strict'", "landable must be one of strict, wide"),
         ("landable = ['gras']", "landable must be land classes: 'gras' is none of unknown, grass"),
@@ -106,6 +127,36 @@ def test_the_file_is_readable(tmp_path) -> None:
 def test_mistakes_are_named(text: str, culprit: str) -> None:
     with pytest.raises(ValueError, match=culprit):
         MissionConfig.from_toml(text)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "planner",
+        "planner_options",
+        "landing",
+        "vehicle",
+        "guidance",
+        "lidar",
+        "mapping",
+        "navigation",
+    ],
+)
+def test_a_part_of_another_kind_is_refused_by_name(name: str) -> None:
+    for wrong in (3, None, {}, "x" if name != "planner" else 1.0, RiskOptions()):
+        with pytest.raises(ValueError, match=f"{name} = .*: expected ") as caught:
+            MissionConfig(**{name: wrong})
+        assert "\n" not in str(caught.value)
+        config = MissionConfig()
+        setattr(config, name, wrong)
+        with pytest.raises(ValueError, match=f"{name} = .*: expected "):
+            config.check()
+
+
+def test_a_byte_order_mark_is_no_part_of_a_file(tmp_path) -> None:
+    path = tmp_path / "mission.toml"
+    path.write_text("planner = 'ggwp'", encoding="utf-8-sig")
+    assert MissionConfig.load(path).planner == "ggwp"
 
 
 def test_errors_in_a_file_name_the_file(tmp_path) -> None:
