@@ -34,7 +34,7 @@ def blamed_on(path: str | os.PathLike[str], what: str) -> Iterator[None]:
             raise
         if isinstance(error, ValueError) and str(error).startswith(str(path)):
             raise
-        why = str(error)[:_LONGEST] or type(error).__name__
+        why = " ".join(str(error).split())[:_LONGEST] or type(error).__name__
         raise ValueError(f"{path} is not {what}: {why}") from error
 
 

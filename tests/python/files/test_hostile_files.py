@@ -192,7 +192,9 @@ HEADERS: list[tuple[str, dict[str, Any], str]] = [
     ("queries.npz", {"world": 3}, "world: expected a text"),
     ("queries.npz", {"priorities": {"0": {"binary": 5}}}, "range"),
     ("queries.npz", {"rasters": [{"origin": [0, 0], "cell": -1.0, "outside": 0.0}]}, "cell"),
+    ("queries.npz", {"rasters": [{"origin": "far", "cell": 1.0, "outside": 0.0}]}, "origin"),
     ("queries.npz", {"queries": [{}]}, "queries"),
+    ("queries.npz", {"priorities": {}}, "no priority map of scenario"),
 ]
 
 
@@ -204,8 +206,23 @@ def test_a_header_with_values_of_other_types_is_refused(
     header = json.loads(np.load(io.BytesIO(members["header.npy"])).tobytes()) | changes
     text = np.frombuffer(json.dumps(header).encode(), np.uint8)
     pack(tmp_path / name, {**members, "header.npy": numbers(text)})
-    with pytest.raises(ValueError, match=rf"{name}.*{message}"):
+    with pytest.raises(ValueError, match=rf"{name}.*{message}") as caught:
         ARCHIVES[name](tmp_path / name)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_record_of_no_flight_is_refused(tmp_path: Path) -> None:
+    """Nothing could be told of it: no length ratio, no duration."""
+    members = sound("flight.npz", tmp_path)
+    steps = ("times", "positions", "velocities", "plan_index", "waypoint_index")
+    for cut in (steps, ("global_path",)):
+        changed = dict(members)
+        for name in cut:
+            array = np.load(io.BytesIO(members[f"{name}.npy"]))
+            changed[f"{name}.npy"] = numbers(array[: 1 if cut != steps else 0])
+        pack(tmp_path / "flight.npz", changed)
+        with pytest.raises(ValueError, match=r"flight\.npz.*one step or more"):
+            FlightRecord.load(tmp_path / "flight.npz")
 
 
 def test_paths_of_plans_are_as_long_as_the_record_says(tmp_path: Path) -> None:

@@ -164,6 +164,9 @@ class QuerySet:
                 int(scenario): {name: rasters[operator.index(i)] for name, i in maps.items()}
                 for scenario, maps in header["priorities"].items()
             }
+            for query in queries:
+                if query.scenario not in priorities:
+                    raise ValueError(f"no priority map of scenario {query.scenario}")
             return cls(
                 header["world"], header["attribution"], header["source"], queries, priorities
             )
