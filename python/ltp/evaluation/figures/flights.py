@@ -41,7 +41,7 @@ from .backdrop import (
     quiet_corner,
     view_round,
 )
-from .headline import record_title
+from .headline import headline, record_title, worth
 from .profile import draw_strips, strips_height
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ def flown_paths_figure(
         world,
         2,
         f"Flown paths for different weights: {record_title(records[0])}",
-        f"{world.name}  ·  {map_title(config.priority_map)}",
+        f"{world.name}  ·  {map_title(config.priority_map)}  ·  {headline(world, records)}",
         view=view,
         below=strips_height(len(records)),
     )
@@ -197,9 +197,7 @@ def _dropped(event: object) -> bool:
 def _weight_label(record: FlightRecord) -> str:
     weights = record.config.planner_options.weights
     ratio = weights.priority / weights.length if weights.length else np.inf
-    return (
-        f"W_P/W_L = {ratio:g}:  P = {record.mean_priority:.2f},  L/L_GP = {record.length_ratio:.2f}"
-    )
+    return f"W_P/W_L = {ratio:g}:  {worth(record)}"
 
 
 def _sweep_of(rows: Sequence[FlightRow]) -> tuple[str, dict[str, list[float]]]:

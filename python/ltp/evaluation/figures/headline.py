@@ -13,6 +13,11 @@ from ..contenders import Contender
 
 def headline(world: World, records: Sequence[FlightRecord]) -> str:
     """What became of flights along one global path, in a sentence."""
+    drops = [len(record.dropped) for record in records]
+    count = len(records[0].global_path) - 1
+    flown = (Outcome.REACHED, Outcome.NOTHING_REACHED)
+    if min(drops) == count and all(record.outcome in flown for record in records):
+        return "No waypoint could be reached"
     for outcome, what in _BAD.items():
         bad = [record for record in records if record.outcome is outcome]
         if not bad:
@@ -24,19 +29,23 @@ def headline(world: World, records: Sequence[FlightRecord]) -> str:
         if len(bad) == 1:
             return f"{record_title(bad[0])} {what}{_where(bad[0])}{rest}"
         return f"{len(bad)} of {len(records)} flights: each {what}{rest}"
-    drops = max(len(record.dropped) for record in records)
-    count = len(records[0].global_path) - 1
-    if drops == count:
-        return "No waypoint could be reached"
     crosses = HeightSurface(world.surface_raster()).first_collision(records[0].global_path)
     way = "Flown to the end" if crosses is None else "Round the buildings on the global path"
-    return way + (f"; {drops} of {count} waypoints out of reach" if drops else "")
+    most = f"{'up to ' * (min(drops) < max(drops))}{max(drops)} of {count}"
+    return way + (f"; {most} waypoints out of reach" if max(drops) else "")
 
 
 def record_title(record: FlightRecord) -> str:
     """Who flew, for labels."""
     options = record.config.planner_options
     return Contender.of(record.config.planner, options.refine).title
+
+
+def worth(record: FlightRecord) -> str:
+    """What a flight was worth, for labels; of one that did not come to its end, how it ended."""
+    if record.outcome is not Outcome.REACHED:
+        return record.outcome.value.replace("_", " ")
+    return f"P = {record.mean_priority:.2f},  L/L_GP = {record.length_ratio:.2f}"
 
 
 def _where(record: FlightRecord) -> str:
@@ -46,4 +55,8 @@ def _where(record: FlightRecord) -> str:
 
 
 #: What is bad, the worst first, and how it is said.
-_BAD = {Outcome.COLLIDED: "hits an obstacle", Outcome.TIMED_OUT: "runs out of time"}
+_BAD = {
+    Outcome.COLLIDED: "hits an obstacle",
+    Outcome.TIMED_OUT: "runs out of time",
+    Outcome.NOTHING_REACHED: "reaches no waypoint",
+}

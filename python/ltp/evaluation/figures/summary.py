@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ltp.drawing.shading import sunlight
-from ltp.sim.record import FlightRecord, Outcome
+from ltp.sim.record import FlightRecord
 from ltp.world import CLASS_COLOURS, LandClass, World
 
 from ..sensed import SensedTrace
@@ -22,7 +22,7 @@ from .backdrop import (
     view_round,
 )
 from .flights import PATH_COLOURS, draw_flights
-from .headline import headline, record_title
+from .headline import headline, record_title, worth
 from .profile import draw_strips, strips_height
 
 if TYPE_CHECKING:
@@ -72,10 +72,7 @@ def summary_figure(
 
 
 def _label(record: FlightRecord) -> str:
-    name = record_title(record)
-    if record.outcome is not Outcome.REACHED:
-        return f"{name}:  {record.outcome.value.replace('_', ' ')}"
-    return f"{name}:  P = {record.mean_priority:.2f},  L/L_GP = {record.length_ratio:.2f}"
+    return f"{record_title(record)}:  {worth(record)}"
 
 
 def _draw_city(axes: "Axes", world: World) -> None:

@@ -155,6 +155,15 @@ def test_volume_against_surface_sensing(flown, tmp_path: Path) -> None:
         sensing_figure(setup.world, [], 50.0)
 
 
+def test_the_figure_of_weights_does_not_hide_a_collision(flown) -> None:
+    record, _, _, setup = flown
+    hit = dataclasses.replace(record, outcome=Outcome.COLLIDED, collision=(1.0, 2.0, 3.0))
+    figure = flown_paths_figure(setup.world, [record, hit], setup.priority)
+    written = texts(figure)
+    assert "hits an obstacle after" in written and ":  collided" in written
+    assert written.count(f"P = {record.mean_priority:.2f}") == 1
+
+
 def test_what_was_sensed_is_part_of_what_there_is(flown) -> None:
     _, snapshots, trace, setup = flown
     surface = HeightSurface(setup.world.surface_raster())
@@ -232,6 +241,15 @@ def test_the_headline_says_what_happened(flown) -> None:
     drops = [event(i, "dropped", "unreachable") for i in range(len(record.global_path) - 1)]
     assert said({"waypoints": drops[:1]}).endswith(f"; 1 of {len(drops)} waypoints out of reach")
     assert said({"waypoints": drops}) == "No waypoint could be reached"
+    none = {"waypoints": drops, "outcome": Outcome.NOTHING_REACHED}
+    assert said(none, none) == "No waypoint could be reached"
+    # What one planner drops another may reach.
+    assert said({}, none).startswith(f"{record_title(record)} reaches no waypoint, ")
+    assert said({}, none, {}).endswith("; 2 of 3 fly to the end")
+    assert said(none, hit).startswith(f"{record_title(record)} hits an obstacle after")
+    assert said({}, {"waypoints": drops[:1]}).endswith(
+        f"; up to 1 of {len(drops)} waypoints out of reach"
+    )
     over = record.global_path + np.array([0.0, 0.0, 100.0])
     assert said({"global_path": over}) == "Flown to the end"
 
