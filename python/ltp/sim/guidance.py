@@ -73,8 +73,19 @@ class PathFollower:
         )
 
     def follow(self, path: ArrayLike) -> None:
-        """Take up a path (n, 3) [m]; n = 0 means: stay."""
-        self._path = np.ascontiguousarray(path, dtype=np.float64).reshape(-1, 3)
+        """Take up a path (n, 3) [m]; n = 0 means: stay.
+
+        Raises:
+            ValueError: for another shape, or points that are not finite; the old path stays.
+        """
+        points = np.ascontiguousarray(path, dtype=np.float64)
+        if points.size == 0:
+            points = points.reshape(0, 3)
+        if points.ndim != 2 or points.shape[1] != 3:
+            raise ValueError(f"path.shape = {points.shape}: expected (n, 3)")
+        if not np.isfinite(points).all():
+            raise ValueError("path: expected finite coordinates")
+        self._path = points
         self._progress, self._length, self._bends = 0.0, 0.0, None
         if len(self._path):
             arcs = np.zeros(len(self._path))

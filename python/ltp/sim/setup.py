@@ -44,13 +44,19 @@ class MissionSetup:
         Raises:
             ValueError: for a configuration, a global path or a start that cannot be flown; it is
                 named.
+            TypeError: for an argument of another kind.
         """
+        _demand("world", world, World, Surface)
+        _demand("config", config, MissionConfig)
+        if priority is not None:
+            _demand("priority", priority, Raster)
         config = copy.copy(config)  # whatever becomes of the caller's
         config.check()
         path = _checked_path(global_path)
         if isinstance(world, Surface):
             scenery = scenery_of(world)
-            return cls(scenery, config, path, world, priority or _no_priority())
+            given = _no_priority() if priority is None else seen_priority(priority)
+            return cls(scenery, config, path, world, given)
         refuse_off_world(world, path)
         check_take_off(world, config, path)
         surface = HeightSurface(world.surface_raster())
@@ -80,12 +86,21 @@ class MissionSetup:
         return float(x), float(y), float(z)
 
 
+def _demand(name: str, value: object, *kinds: type) -> None:
+    if not isinstance(value, kinds):
+        expected = " or ".join(kind.__name__ for kind in kinds)
+        raise TypeError(f"{name}: expected a {expected}, not a {type(value).__name__}")
+
+
 def _no_priority() -> Raster:
     return Raster(np.zeros((1, 1)), origin=(0.0, 0.0), cell=1.0)
 
 
 def _checked_path(global_path: ArrayLike) -> NDArray[np.float64]:
-    path = np.ascontiguousarray(global_path, dtype=np.float64)
+    try:
+        path = np.ascontiguousarray(global_path, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"global_path: expected numbers of shape (n, 3), {error}") from error
     if path.ndim != 2 or path.shape[1] != 3 or len(path) < 2:
         raise ValueError(f"global_path.shape = {path.shape}: expected (n, 3) with n >= 2")
     if not np.isfinite(path).all():

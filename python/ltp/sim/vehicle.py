@@ -5,7 +5,7 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ltp.config import VehicleOptions
 
@@ -14,18 +14,25 @@ class PointMass:
     """Position and velocity of the UAV (world ENU) [m, m/s].
 
     It moves in straight pieces, one a step, so that a flight can be checked exactly.
+
+    Raises:
+        ValueError: for a position that is not three finite numbers.
     """
 
-    def __init__(self, position: NDArray[np.float64], options: VehicleOptions) -> None:
+    def __init__(self, position: ArrayLike, options: VehicleOptions) -> None:
         self.options = options
         self.position = np.array(position, dtype=np.float64)
+        if self.position.shape != (3,) or not np.isfinite(self.position).all():
+            raise ValueError(
+                f"position = {position!r:.80}: expected three finite numbers (x, y, z)"
+            )
         self.velocity = np.zeros(3)
 
     def __repr__(self) -> str:
         place, pace = (", ".join(f"{n:g}" for n in v) for v in (self.position, self.velocity))
         return f"PointMass(position=({place}) m, velocity=({pace}) m/s, {self.options!r})"
 
-    def step(self, command: NDArray[np.float64], seconds: float) -> None:
+    def step(self, command: ArrayLike, seconds: float) -> None:
         """Move for one step towards a commanded velocity (3,) [m/s], within the limits."""
         wanted = self._within_limits(command)
         change = wanted - self.velocity
@@ -36,7 +43,7 @@ class PointMass:
         self.velocity = self.velocity + change
         self.position = self.position + self.velocity * seconds
 
-    def _within_limits(self, command: NDArray[np.float64]) -> NDArray[np.float64]:
+    def _within_limits(self, command: ArrayLike) -> NDArray[np.float64]:
         wanted = np.array(command, dtype=np.float64)
         # Slowed as a whole, so that the direction stays.
         scale = 1.0

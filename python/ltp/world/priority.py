@@ -164,6 +164,8 @@ def seen_priority(
         ValueError: if a value is no priority.
     """
     shares("priority", priority.values)
+    if not 0.0 <= priority.outside <= 1.0:
+        raise ValueError(f"priority.outside must be a share from 0 to 1, not {priority.outside:g}")
     if kind == "binary":
         return priority
     side = footprint(altitude_above_ground, fov_deg) / priority.cell

@@ -203,6 +203,20 @@ def test_a_path_of_one_place_is_stayed_at(path: list[list[float]]) -> None:
     np.testing.assert_array_equal(guidance.command(np.array(path[0])), np.zeros(3))
 
 
+def test_what_is_no_path_is_refused_and_the_old_one_flown_on() -> None:
+    guidance = PathFollower(3.0, 3.0)
+    guidance.follow([[0.0, 0, 0], [30, 0, 0]])
+    for wrong in (np.zeros((3, 4)), np.zeros((4, 2)), np.zeros(3), np.zeros((2, 2, 3))):
+        with pytest.raises(ValueError, match=r"path.shape = \(.*\): expected \(n, 3\)"):
+            guidance.follow(wrong)
+    with pytest.raises(ValueError, match="path: expected finite"):
+        guidance.follow([[0.0, 0, 0], [math.nan, 0, 0]])
+    assert guidance.command(np.zeros(3))[0] > 0.0
+    for nothing in ([], np.empty((0, 3))):
+        guidance.follow(nothing)
+        np.testing.assert_array_equal(guidance.command(np.zeros(3), np.zeros(3)), np.zeros(3))
+
+
 @pytest.mark.parametrize("name", ["speed", "max_acceleration", "look_ahead", "cell", "step"])
 @pytest.mark.parametrize("value", [0.0, -1.0, math.nan, math.inf])
 def test_a_strange_setting_is_refused_by_name(name: str, value: float) -> None:

@@ -122,8 +122,12 @@ def test_a_priority_map_of_ones_own_is_flown_with() -> None:
     config.priority_map = "lpf"
     seen = MissionSetup.of(world, config, path, own).priority.values
     assert 0.0 < seen[60, 50] < 0.3 < seen[60, 59] < 1.0
-    with pytest.raises(ValueError, match="priority must hold shares"):
-        ltp.fly(world, config, path, priority=ltp.Raster(2.0 * values, cell=2.0))
+    surface = ltp.HeightSurface(world.surface_raster())
+    for place in (world, surface):
+        with pytest.raises(ValueError, match="priority must hold shares"):
+            ltp.fly(place, config, path, priority=ltp.Raster(2.0 * values, cell=2.0))
+        with pytest.raises(ValueError, match=r"priority\.outside must be a share"):
+            ltp.fly(place, config, path, priority=ltp.Raster(values, cell=2.0, outside=-1.0))
 
 
 class Watcher:
@@ -227,11 +231,28 @@ def test_a_record_keeps_the_settings_that_were_flown() -> None:
         np.zeros((3, 3)),
         np.array([[0, 0, 0], [np.nan, 0, 0]]),
         np.zeros(3),
+        "path",
+        None,
+        [(0, 0, 0), (1, 1)],
     ],
 )
 def test_a_strange_global_path_is_refused_by_name(path: np.ndarray) -> None:
     with pytest.raises(ValueError, match="global_path"):
         ltp.fly(make_world(flat_world()), small_config(), path)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"world": "city"}, "world: expected a World or Surface, not a str"),
+        ({"config": None}, "config: expected a MissionConfig, not a NoneType"),
+        ({"priority": np.eye(4)}, "priority: expected a Raster, not a ndarray"),
+    ],
+)
+def test_an_argument_of_another_kind_is_refused_by_name(change, message: str) -> None:
+    arguments = {"world": make_world(flat_world()), "config": small_config()}
+    with pytest.raises(TypeError, match=message):
+        ltp.fly(**(arguments | change), global_path=line((40, 100), (180, 100)))
 
 
 def test_an_unknown_preset_of_landing_ground_is_refused_by_name() -> None:

@@ -61,3 +61,9 @@ def test_the_vehicle_reaches_what_is_commanded() -> None:
     for _ in range(20):
         vehicle.step(np.array([0.0, 3.0, 0.0]), 0.1)
     np.testing.assert_allclose(vehicle.velocity, [0, 3, 0], atol=1e-12)
+
+
+@pytest.mark.parametrize("position", [(1.0, 2.0), (1.0, 2.0, np.nan), np.zeros((1, 3))])
+def test_a_position_that_is_none_is_refused(position) -> None:
+    with pytest.raises(ValueError, match=r"position = .*expected three finite numbers"):
+        PointMass(position, VehicleOptions())
