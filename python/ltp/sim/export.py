@@ -84,7 +84,7 @@ def to_kml(world: World, records: Sequence[FlightRecord]) -> str:
             ElementTree.SubElement(item, "value").text = str(value)
         shape = ElementTree.SubElement(mark, "Point" if feature.is_point else "LineString")
         ElementTree.SubElement(shape, "altitudeMode").text = "absolute"
-        text = " ".join(",".join(f"{value:.9g}" for value in point) for point in feature.points)
+        text = " ".join(",".join(f"{value:.9f}" for value in point) for point in feature.points)
         ElementTree.SubElement(shape, "coordinates").text = text
     ElementTree.indent(root)
     return ElementTree.tostring(root, encoding="unicode", xml_declaration=True) + "\n"
