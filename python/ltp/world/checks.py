@@ -33,7 +33,7 @@ def finite(name: str, value: object) -> float:
         no_number = isinstance(value, str | bytes | bool | np.bool_)
         number = math.nan if no_number else float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):
-        raise ValueError(f"{name} must be a number, not {value!r}") from None
+        raise ValueError(f"{name} must be a number, not {value!r:.80}") from None
     if not math.isfinite(number):
         raise ValueError(f"{name} must be a finite number, not {value!r}")
     return number
@@ -73,6 +73,17 @@ def corner(origin: Any) -> tuple[float, float]:
     except (TypeError, ValueError):
         raise ValueError(f"origin must be two numbers (x, y) in metres, not {origin!r}") from None
     return finite("origin[0]", x), finite("origin[1]", y)
+
+
+def resolvable(origin: tuple[float, float], cell: float, shape: tuple[int, ...]) -> None:
+    """Demand that neighbouring cells can be told apart, from the first to the last."""
+    for start, count in zip(origin, shape, strict=True):
+        end = start + count * cell
+        if not (math.isfinite(end) and start + cell > start and end - cell < end):
+            raise ValueError(
+                f"cell must be an edge by which cells differ so far from zero, not {cell!r} "
+                f"from {start!r} on"
+            )
 
 
 def triples(name: str, values: ArrayLike) -> NDArray[np.float64]:
@@ -117,6 +128,8 @@ def land_classes(values: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.uint8]
 
 
 def _grid(name: str, values: ArrayLike, kinds: str, what: str) -> NDArray[Any]:
+    if hidden := int(np.ma.count_masked(values)) if isinstance(values, np.ma.MaskedArray) else 0:
+        raise ValueError(f"{name} must hold {what} in all cells, but {hidden} are masked")
     try:
         array = np.asarray(values)
     except (TypeError, ValueError) as error:  # ragged lists

@@ -20,6 +20,7 @@ from .checks import (
     land_classes,
     not_negative,
     positive,
+    resolvable,
     sentences,
     text,
     triples,
@@ -105,6 +106,7 @@ class World:
             ("report", sentences("report", self.report)),
         ):
             object.__setattr__(self, field, value)
+        resolvable(self.origin, self.cell, ground.shape)
 
     def __repr__(self) -> str:
         x_cells, y_cells = self.shape
