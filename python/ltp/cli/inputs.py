@@ -26,7 +26,7 @@ def open_world(source: str) -> "World":
     if name == "city" and not Path(source).is_file():  # a folder of that name is no world
         from ltp.world.city import make_city
 
-        if seed and not seed.isdigit():
+        if seed and not seed.isdecimal():
             raise ValueError(f"{source}: the seed of the city must be a whole number >= 0")
         return make_city(seed=int(seed) if seed else 1)
     if not Path(source).is_file():

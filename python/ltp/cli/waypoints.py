@@ -16,7 +16,7 @@ def read_waypoints(path: Path) -> "NDArray[np.float64]":
     import numpy as np
 
     try:
-        with path.open(newline="", encoding="utf-8") as file:
+        with path.open(newline="", encoding="utf-8-sig") as file:
             lines = [line for line in csv.reader(file) if line and not line[0].startswith("#")]
         points = np.array([[float(value) for value in line] for line in lines])
     except (ValueError, csv.Error) as error:

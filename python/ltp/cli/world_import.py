@@ -176,7 +176,7 @@ def _class_table(meanings: list[str]) -> dict[int, str]:
     table: dict[int, str] = {}
     for text in meanings:
         code, sign, name = text.partition("=")
-        if not sign or not code.strip().isdigit():
+        if not sign or not code.strip().isdecimal():
             raise ValueError(f"--class: expected CODE=CLASS, e.g. 4=building, not {text!r}")
         table[int(code)] = name.strip()
     return table

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from ltp.cli.waypoints import read_waypoints
 from ltp.config import MissionConfig
 from ltp.sim.record import FlightRecord
 from ltp.viewer.rerun_module import has_rerun
@@ -50,6 +51,12 @@ def test_fly_takes_settings_from_a_file_and_waypoints_from_a_table(
     assert record.config.planner == "lp-a-star"
     assert (weights.length, weights.priority) == (0.25, 2.0)
     assert not (tmp_path / "o" / "flight.rrd").exists()
+
+
+def test_a_byte_order_mark_is_no_part_of_the_first_number(tmp_path: Path) -> None:
+    points = tmp_path / "points.csv"
+    points.write_text("20,20,30\n20,60,30\n", encoding="utf-8-sig")
+    assert read_waypoints(points).tolist() == [[20, 20, 30], [20, 60, 30]]
 
 
 @pytest.mark.parametrize(

@@ -20,6 +20,7 @@ from .runner import SHORT, fail, run
     [
         (["fly", "nowhere.npz"], "nowhere.npz: no such world file"),
         (["fly", "city:one"], "the seed of the city must be a whole number"),
+        (["fly", "city:²"], "the seed of the city must be a whole number"),
         (["fly", "WORLD", "--planner", "a-star"], "--planner"),
         (["fly", "WORLD", "--priority-map", "blurred"], "--priority-map"),
         (["fly", "WORLD", "--priority-weight", "-1"], "--priority-weight"),
