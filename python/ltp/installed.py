@@ -15,7 +15,7 @@ from collections.abc import Iterable, Iterator
 #: What `pip install` calls this package.
 DISTRIBUTION = "ltp-uav"
 
-_METADATA = re.compile(r"(?P<name>ltp|ltp_uav)-\d[^-]*\.(dist|egg)-info")
+_METADATA = re.compile(r"(?P<name>ltp|ltp_uav)-\d[^-]*(-py\d[.\d]*)?\.(dist|egg)-info")
 
 
 def pip_install(extra: str) -> str:

@@ -95,12 +95,12 @@ def test_nothing_tells_anybody_to_install_the_stranger() -> None:
     assert len(files) > 200
 
 
-@pytest.mark.parametrize("kind", ["dist-info", "egg-info"])
+@pytest.mark.parametrize("kind", ["dist-info", "egg-info", "py3.egg-info", "py3.11.egg-info"])
 @pytest.mark.parametrize("version", ["4.2.3", "0.2.0", "1.0rc1"])
 def test_a_distribution_with_our_import_name_is_noticed(
     kind: str, version: str, tmp_path: Path
 ) -> None:
-    stranger = tmp_path / f"ltp-{version}.{kind}"
+    stranger = tmp_path / f"ltp-{version}{'-' if kind.startswith('py') else '.'}{kind}"
     stranger.mkdir()
     with pytest.warns(RuntimeWarning, match="distribution named `ltp`") as caught:
         warn_of_strangers([str(tmp_path), str(tmp_path)])
