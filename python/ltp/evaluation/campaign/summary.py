@@ -68,6 +68,7 @@ def summarise(variants: Sequence[Variant], rows: Iterable[FlightRow]) -> list[Su
     Raises:
         ValueError: if the rows are of several worlds.
     """
+    rows = list(rows)
     flown = {variant: [row for row in rows if row.variant == variant] for variant in variants}
     worlds = {row.world for mine in flown.values() for row in mine}
     if len(worlds) > 1:
