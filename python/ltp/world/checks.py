@@ -128,7 +128,8 @@ def land_classes(values: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.uint8]
 
 
 def _grid(name: str, values: ArrayLike, kinds: str, what: str) -> NDArray[Any]:
-    if hidden := int(np.ma.count_masked(values)) if isinstance(values, np.ma.MaskedArray) else 0:
+    hidden = np.count_nonzero(np.ma.getmask(values))
+    if hidden:
         raise ValueError(f"{name} must hold {what} in all cells, but {hidden} are masked")
     try:
         array = np.asarray(values)
