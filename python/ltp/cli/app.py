@@ -29,7 +29,7 @@ class PoliteGroup(TyperGroup):
         except KeyboardInterrupt:
             note("interrupted")
             raise typer.Exit(_INTERRUPTED) from None
-        except (ValueError, OSError, ImportError, RuntimeError) as error:
+        except (ValueError, OSError, ImportError, RuntimeError, MemoryError) as error:
             log_mistake(error)
             if TRACEBACK in os.environ:
                 raise
@@ -57,4 +57,5 @@ def make_group(name: str, text: str) -> typer.Typer:
 def _one_line(error: BaseException) -> str:
     if isinstance(error, OSError) and error.strerror:
         return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
-    return " ".join(str(error).split()) or type(error).__name__
+    text = " ".join(str(error).split()) or type(error).__name__
+    return f"not enough memory: {text}" if isinstance(error, MemoryError) else text

@@ -146,6 +146,8 @@ def summary(
     wanted = [
         _with_planner(base, name, "--planners") for name in planner_names("--planners", planners)
     ]
+    if not wanted:
+        raise ValueError(f"--planners must name one planner or more, not {planners!r}")
     path = global_paths.one(place, scenario)
     records, sensed = [], SensedTrace()
     for settings in wanted:

@@ -99,15 +99,16 @@ def fly(
         note("--way-points is now --waypoints; the old name goes with the next release")
         waypoints = waypoints or old_waypoints
     if waypoints:
-        path = read_waypoints(waypoints)
-        refuse_off_world(place, path, f"{waypoints}: waypoints")
+        path, path_name = read_waypoints(waypoints), f"{waypoints}: waypoints"
+        refuse_off_world(place, path, path_name)
     else:
-        path = global_paths.one(place, scenario)
+        path, path_name = global_paths.one(place, scenario), "global_path"
     own_priority = open_priority(priority, place)
     out.mkdir(parents=True, exist_ok=True)
-    record, sensed, recorded = fly_recorded(
-        place, settings, path, out / "flight.rrd", recording, settings.planner, own_priority
-    )
+    with naming(global_path=path_name):
+        record, sensed, recorded = fly_recorded(
+            place, settings, path, out / "flight.rrd", recording, settings.planner, own_priority
+        )
     record.save(out / "flight.npz")
     _report(record)
     tell("record", out / "flight.npz")

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 _REFERENCES = ("ground", "datum")
 _STANDS = 0.5  # what is no higher above the bare ground is part of it, see `LandingLimits` [m]
+_MOST_WAYPOINTS = 100_000  # of a path; the paper's have ten
 _SPACING_TOLERANCE = 1e-9  # of a spacing: no waypoint this close before the end
 
 
@@ -52,6 +53,11 @@ class ScenarioOptions:
         for name in ("length", "spacing"):
             if not (math.isfinite(getattr(self, name)) and getattr(self, name) > 0.0):
                 raise ValueError(f"{name} must be above zero [m], not {getattr(self, name)!r}")
+        if not self.length / self.spacing <= _MOST_WAYPOINTS:
+            raise ValueError(
+                f"spacing must cut length = {self.length:g} m into at most {_MOST_WAYPOINTS:,} "
+                f"pieces, not {self.spacing!r}"
+            )
         for name in ("margin", "clearance"):
             if not (math.isfinite(getattr(self, name)) and getattr(self, name) >= 0.0):
                 raise ValueError(f"{name} must be >= 0 [m], not {getattr(self, name)!r}")

@@ -62,6 +62,22 @@ def test_a_byte_order_mark_is_no_part_of_the_first_number(tmp_path: Path) -> Non
 @pytest.mark.parametrize(
     ("table", "complaint"),
     [
+        ("20,20,0.5\n20,60,0.5\n", "points.csv: waypoints[0]: the start's altitude is 0.5 m"),
+        ("20,20,30\n20,20,30\n", "points.csv: waypoints: expected a path longer than 0 m"),
+    ],
+)
+def test_waypoints_that_cannot_be_flown_are_told_by_their_file(
+    table: str, complaint: str, world: str, tmp_path: Path
+) -> None:
+    points = tmp_path / "points.csv"
+    points.write_text(table)
+    command = ["fly", world, "--waypoints", points, "--no-recording", "--out", tmp_path / "o"]
+    assert complaint in fail(*command)
+
+
+@pytest.mark.parametrize(
+    ("table", "complaint"),
+    [
         ("20,20,30\n20,700,30\n", "points.csv: waypoints[1] = (20, 700) lies off town"),
         ("2.3501,48.8502,30\n2.3511,48.8513,30\n", "look like degrees"),
         ("584100,4511200,30\n584300,4511500,30\n", "look like map coordinates"),

@@ -57,6 +57,8 @@ from .runner import SHORT, fail, run
         (["figure", "paths", "WORLD", *SHORT, "--map", "blurred"], "--map must be one of"),
         (["figure", "sensing", "WORLD", *SHORT, "--planner", "a-star"], "--planner"),
         (["figure", "summary", "WORLD", *SHORT, "--planners", "ggwp,a-star"], "--planners"),
+        (["figure", "summary", "WORLD", *SHORT, "--planners", ","], "--planners must name one"),
+        (["fly", "WORLD", *SHORT, "--spacing", "1e-9"], "--spacing must cut --length = 120 m"),
         (["figure", "paths", "WORLD", *SHORT, "--scenario", "-1"], "--scenario must be >= 0"),
         (["compare", "EMPTY"], "holds no flights"),
         (["figure", "gap", "missing"], "No such file"),
@@ -118,6 +120,14 @@ def test_a_traceback_is_there_for_the_asking(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setenv("LTP_TRACEBACK", "1")
     result = run("fly", "nowhere.npz")
     assert isinstance(result.exception, ValueError)
+
+
+def test_a_lack_of_memory_is_no_traceback(monkeypatch: pytest.MonkeyPatch, world: str) -> None:
+    def greedy(path: str) -> World:
+        raise MemoryError("Unable to allocate 3 TiB")
+
+    monkeypatch.setattr(World, "load", greedy)
+    assert "not enough memory: Unable to allocate 3 TiB" in fail("world", "show", world)
 
 
 def test_ctrl_c_is_no_traceback(monkeypatch: pytest.MonkeyPatch, world: str) -> None:
