@@ -22,7 +22,17 @@ std::string shape_of(const py::array& array) {
   return py::str(array.attr("shape")).cast<std::string>();
 }
 
-ltp::OccupancyGrid from_array(const py::array& blocked, const ltp::GridFrame& frame) {
+py::array unmasked(const char* name, const py::array& given) {
+  const py::array array = bindings::as_array(given);
+  if (!array) {
+    throw py::type_error(std::string(name) + ": expected an array without a mask, got " +
+                         bindings::described(given));
+  }
+  return array;
+}
+
+ltp::OccupancyGrid from_array(const py::array& given, const ltp::GridFrame& frame) {
+  const py::array blocked = unmasked("blocked", given);
   if (!py::isinstance<py::array_t<bool>>(blocked)) {
     throw py::type_error("blocked.dtype = " + py::str(blocked.dtype()).cast<std::string>() +
                          ": expected bool");
@@ -70,8 +80,9 @@ py::array columns_view(py::object self) {
   return view;
 }
 
-ltp::Raster make_raster(const py::array& values, const Eigen::Vector2d& origin, double cell,
+ltp::Raster make_raster(const py::array& given, const Eigen::Vector2d& origin, double cell,
                         double outside) {
+  const py::array values = unmasked("values", given);
   if (values.ndim() != 2) ltp::check::fail("values.shape", shape_of(values), "(nx, ny)");
   if (values.dtype().kind() != 'f' && values.dtype().kind() != 'i' &&
       values.dtype().kind() != 'u' && values.dtype().kind() != 'b') {

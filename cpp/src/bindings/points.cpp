@@ -32,23 +32,39 @@ py::array reshaped(const py::array& array, py::ssize_t rows, py::ssize_t columns
   return array.attr("reshape")(rows, columns);
 }
 
-/// What numpy makes of a value; what a mask hides becomes NaN.
-py::array as_array(py::handle value) {
-  if (py::isinstance<py::array>(value)) {
-    const py::object type = py::type::of(value);
-    if (std::string(py::str(type.attr("__name__"))) == "MaskedArray" &&
-        value.attr("dtype").attr("kind").cast<std::string>() == "f") {
-      return value.attr("filled")(std::numeric_limits<double>::quiet_NaN());
-    }
+py::array null_array() { return py::reinterpret_steal<py::array>(py::handle()); }
+
+/// Whether it is an array of which a mask hides something.
+bool hides_some(py::handle value) {
+  // Asked by attribute first: hardly any array has a mask.
+  if (!py::isinstance<py::array>(value) || !py::hasattr(value, "filled")) return false;
+  const py::object mask = py::module_::import("numpy.ma").attr("getmask")(value);
+  const py::module_ numpy = py::module_::import("numpy");
+  // As plain booleans: of records it has a field each.
+  return numpy.attr("ascontiguousarray")(mask).attr("view")("?").attr("any")().cast<bool>();
+}
+
+bool has_xyz(const py::array& records) {
+  const py::object names = records.dtype().attr("names");
+  return names.contains("x") && names.contains("y") && names.contains("z");
+}
+
+/// The coordinates of records of which a mask hides some: a copy, in which those are NaN.
+/// Null where they are no numbers.
+py::array unmasked_records(py::handle records) {
+  py::list columns;
+  for (const char* field : {"x", "y", "z"}) {
+    const py::object column = records.attr("__getitem__")(field);
+    if (column.attr("dtype").attr("kind").cast<std::string>() != "f") return null_array();
+    columns.append(
+        column.attr("astype")("f8").attr("filled")(std::numeric_limits<double>::quiet_NaN()));
   }
-  return py::array::ensure(value);
+  return py::module_::import("numpy").attr("stack")(columns, "axis"_a = -1);
 }
 
 /// The fields x, y, z of records as columns, (N, 3). Without a copy if they lie side by side.
 std::optional<py::array> columns_of_records(const py::array& records) {
-  for (const char* field : {"x", "y", "z"}) {
-    if (!records.dtype().attr("names").contains(field)) return std::nullopt;
-  }
+  if (!has_xyz(records)) return std::nullopt;
   const py::array flat = records.attr("reshape")(-1);
   const py::array x = flat[py::str("x")];
   const py::array y = flat[py::str("y")];
@@ -96,12 +112,23 @@ py::array copied(const py::array& rows) {
 
 }  // namespace
 
+py::array as_array(py::handle value) {
+  const py::array array = py::array::ensure(value);
+  if (!array || !hides_some(value)) return array;
+  if (array.dtype().kind() == 'f') {
+    return value.attr("filled")(std::numeric_limits<double>::quiet_NaN());
+  }
+  if (!array.dtype().attr("names").is_none() && has_xyz(array)) return unmasked_records(value);
+  return null_array();
+}
+
 std::string described(py::handle value) {
   if (has_dtype(value) && py::hasattr(value, "shape")) {
     return "an array of shape " + py::str(value.attr("shape")).cast<std::string>() + " and dtype " +
-           py::str(value.attr("dtype")).cast<std::string>();
+           py::str(value.attr("dtype")).cast<std::string>() +
+           (hides_some(value) ? ", partly masked" : "");
   }
-  const py::array array = value.is_none() ? py::array() : py::array::ensure(value);
+  const py::array array = value.is_none() ? null_array() : py::array::ensure(value);
   if (array && is_real(array.dtype())) {
     return "numbers of shape " + py::str(array.attr("shape")).cast<std::string>();
   }
@@ -132,7 +159,7 @@ ltp::PointsView view_of(const py::array& points) {
 }
 
 ltp::Point point_from(py::handle value) {
-  const py::array array = py::array::ensure(value);
+  const py::array array = as_array(value);
   const bool three = array && (array.ndim() == 1 || (array.ndim() == 2 && array.shape(1) == 1)) &&
                      array.shape(0) == 3;
   if (!three || !(is_real(array.dtype()) || array.dtype().kind() == 'b')) {

@@ -22,6 +22,10 @@ enum class Numbers { Real, Floating };
 /// What a value is, for errors: "an array of shape (2, 2) and dtype float64".
 std::string described(pybind11::handle value);
 
+/// What numpy makes of a value. What a mask hides becomes NaN, whatever lies beneath it. Null where
+/// numpy makes nothing of it, or a mask hides integers or the like, which cannot be NaN.
+pybind11::array as_array(pybind11::handle value);
+
 /// An array of floats or doubles, (N, 3) or wider, C-ordered: what was given, or a copy. Takes (N,
 /// 3) or wider, organised (H, W, 3) or wider, structured with fields x, y, z, and (3,) as one
 /// point; float32 or float64 of any layout and byte order, and lists of numbers. Throws `TypeError`

@@ -94,7 +94,7 @@ std::unique_ptr<ltp::Scan> scan_of(const ltp::Lidar& lidar, const py::array& ran
 std::unique_ptr<ltp::Scan> from_ranges(const ltp::Lidar& lidar, const py::object& ranges,
                                        const ltp::Pose& pose) {
   const ltp::LidarPattern& pattern = lidar.options().pattern;
-  const py::array array = py::array::ensure(ranges);
+  const py::array array = bindings::as_array(ranges);
   const bool is_list = !py::hasattr(ranges, "dtype");
   const bool floating = array && (array.dtype().kind() == 'f' ||
                                   (is_list && array.size() > 0 && array.dtype().kind() == 'i'));

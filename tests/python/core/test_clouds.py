@@ -125,7 +125,11 @@ def test_lost_returns_of_an_organised_cloud_are_counted() -> None:
     cloud[2, 3:5] = np.nan
     masked = np.ma.masked_array(CLOUD.copy(), mask=np.zeros_like(CLOUD))
     masked.mask[7:9] = True
-    for lossy in (cloud, masked):
+    hidden = np.ma.masked_array(records("f4", intensity="f4"))
+    hidden[7:9] = np.ma.masked
+    some = np.ma.masked_array(scattered())  # one coordinate is as bad as all
+    some.mask["y"][7], some.mask["z"][8] = True, True
+    for lossy in (cloud, masked, hidden, some):
         statistics = ObstacleMap(centre=ORIGIN).insert(ORIGIN, lossy)
         assert statistics.invalid == 2
         assert statistics.marked == EXPECTED[0] - 2
@@ -140,6 +144,7 @@ WRONG: list[tuple[Any, str]] = [
     (np.float64(3.0), r"shape \(\) and dtype float64"),
     (np.zeros((5, 3), np.int32), "dtype int32"),
     (np.zeros((5, 3), np.uint16), "dtype uint16"),
+    (np.ma.masked_equal(np.eye(3, dtype=np.int32), 1), "dtype int32, partly masked"),
     (np.zeros((5, 3), np.float16), "dtype float16"),
     (np.zeros((5, 3), complex), "dtype complex128"),
     (np.zeros((5, 3), bool), "dtype bool"),
@@ -210,6 +215,33 @@ def test_a_path_of_a_wrong_shape_is_told_in_one_sentence(call: Callable[[Any], o
             call(wrong)
         assert "\n" not in str(error.value)
     call(np.array([[1, 2, 3], [4, 5, 6]]))  # whole metres are a path
+
+
+def test_what_a_mask_hides_is_nowhere_read() -> None:
+    """Under a mask lies anything: a fill value, the last scan."""
+    lidar = Lidar(LidarOptions(pattern=LidarPattern(azimuths=4, rows=3)))
+    ranges = np.full(12, 9.0)
+    lost = np.ma.masked_array(ranges, mask=np.arange(12) < 5)
+    statistics = lidar.from_ranges(lost, Pose(ORIGIN)).statistics
+    assert (statistics.hits, statistics.invalid) == (7, 5)
+    assert lidar.from_ranges(np.ma.masked_array(ranges), Pose(ORIGIN)).statistics.hits == 12
+    heights = np.ma.masked_equal([[1.0, -9999.0], [2.0, 3.0]], -9999.0)
+    with pytest.raises(ValueError, match=r"values\[0, 1\] = nan"):
+        Raster(heights)
+    with pytest.raises(TypeError, match=r"values: .* dtype int64, partly masked"):
+        Raster(np.ma.masked_equal([[1, -9999], [2, 3]], -9999))
+    assert Raster(np.ma.masked_array(np.eye(2))).values.sum() == 2.0
+    frame = ltp.GridFrame((0, 0, 0), (1, 1, 1), (2, 2, 2))
+    cells = np.zeros((2, 2, 2), bool)
+    assert ltp.OccupancyGrid.from_array(np.ma.masked_array(cells), frame).count() == 0
+    with pytest.raises(TypeError, match=r"blocked: .* dtype bool, partly masked"):
+        ltp.OccupancyGrid.from_array(np.ma.masked_array(cells, mask=~cells), frame)
+    here = np.ma.masked_array([1.0, 2.0, 3.0], mask=[True, False, False])
+    with pytest.raises(ValueError, match="origin"):
+        ObstacleMap().insert(here, CLOUD)
+    way = np.ma.masked_array(np.eye(3), mask=np.eye(3))
+    with pytest.raises(ValueError, match=r"waypoints\[0\]"):
+        planner(LocalTrajectoryPlanner).set_waypoints(way)
 
 
 def test_ranges_come_in_either_type_and_as_an_image() -> None:
