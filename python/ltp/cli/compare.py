@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from .inputs import names, planner_names, read_flights
+from .inputs import map_names, planner_names, read_flights
 from .naming import naming
 from .options import FlightsArgument, Ratio
 from .output import say, tell, write_text
@@ -54,14 +54,15 @@ def compare(
     )
 
     rows, wanted = read_flights(flights), planner_names("--planners", planners)
-    with naming(ratio="--ratio"):
+    kinds = map_names(maps)
+    with naming(ratio="--ratio", planner="--planners"):
         if not wanted:
-            wanted = flown_planners(rows, ratio, names(maps))
+            wanted = flown_planners(rows, ratio, kinds)
             if len(wanted) < 2:
                 raise ValueError(_nothing_to_compare(flights, rows, ratio))
         elif len(wanted) < 2:
             raise ValueError(f"--planners must name two planners or more, not {planners!r}")
-        kinds = names(maps) or flown_maps(rows, wanted, ratio)
+        kinds = kinds or flown_maps(rows, wanted, ratio)
     if not kinds:
         raise ValueError(
             f"{flights} holds no map flown by all of --planners {','.join(wanted)} at --ratio "

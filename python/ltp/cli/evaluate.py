@@ -10,7 +10,7 @@ import typer
 from .campaign_tables import write_tables
 from .global_paths import GlobalPaths
 from .inputs import (
-    names,
+    map_names,
     numbers,
     open_config,
     open_priority,
@@ -118,10 +118,8 @@ def _variants(rows: str, planners: str, ratios: str, maps: str, refine: bool) ->
 
     if rows not in _ROWS:
         raise ValueError(f"--rows must be one of {', '.join(_ROWS)}, not {rows!r}")
-    kinds = names(maps)
-    if not kinds or (strange := [kind for kind in kinds if kind not in PRIORITY_MAPS]):
-        wrong = strange[0] if kinds else maps
-        raise ValueError(f"--maps: {wrong!r} is none of {', '.join(PRIORITY_MAPS)}")
+    if not (kinds := map_names(maps)):
+        raise ValueError(f"--maps: {maps!r} is none of {', '.join(PRIORITY_MAPS)}")
     wanted = planner_names("--planners", planners)
     if unknown := [name for name in wanted if name not in PLANNERS]:
         raise ValueError(f"--planners: {unknown[0]!r} is none of {', '.join(PLANNERS)}")

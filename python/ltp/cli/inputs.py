@@ -100,6 +100,16 @@ def names(text: str) -> list[str]:
     return [part.strip() for part in text.split(",") if part.strip()]
 
 
+def map_names(text: str) -> list[str]:
+    """The priority maps in the text of --maps; each is one."""
+    from ltp.evaluation.conditions import PRIORITY_MAPS
+
+    kinds = names(text)
+    if strange := [kind for kind in kinds if kind not in PRIORITY_MAPS]:
+        raise ValueError(f"--maps: {strange[0]!r} is none of {', '.join(PRIORITY_MAPS)}")
+    return kinds
+
+
 def planner_name(option: str, name: str) -> str:
     """A contender's current name; an old one is told on stderr."""
     from ltp.evaluation.contenders import current_name

@@ -47,6 +47,8 @@ from .runner import SHORT, fail, run
         (["gap", "WORLD", *SHORT, "--paths", "0"], "--paths must be"),
         (["gap", "WORLD", *SHORT, "--queries", "0", "--out", "OUT/gap"], "--queries must be >= 1"),
         (["compare", "ROWS", "--planners", "lp-dijkstra"], "--planners must name two"),
+        (["compare", "ROWS", "--maps", "blurred"], "--maps: 'blurred' is none of binary, lpf"),
+        (["compare", "ROWS", "--planners", "a-star,ggwp"], "--planners 'a-star' is none of"),
         (["compare", "ROWS", "--ratio", "-1"], "--ratio W_P / W_L must be"),
         (["demo", "--paths", "0"], "--paths must be"),
         (["demo", "--seed", "-1"], "--seed must be"),
