@@ -135,8 +135,13 @@ void Navigator::take_reached(const MapView& map, const Point& position) {
 
 bool Navigator::must_replan(const MapView& map, const Point& position) {
   if (path_.rows() == 0) {
-    // Holding: the same map would give the same answer.
-    return status_ != NavigationStatus::Holding || map.version != planned_on_;
+    if (status_ != NavigationStatus::Holding || map.version != planned_on_) return true;
+    // The same map would give the same answer, but for a way out of a blocked cell: it depends on
+    // the cell, and a UAV that holds may still be braking.
+    const bool stuck = reason_ == NavigationReason::NoEscape ||
+                       reason_ == NavigationReason::StartInGround ||
+                       map.blocked.blocked_at(position);
+    return stuck && !same_cell(map.blocked.frame(), position, last_position_);
   }
   // No farther than it can have flown: a path that passes by itself is not cut short.
   const double most = 2.0 * (position - last_position_).norm() + options_.leave_distance;
@@ -188,6 +193,7 @@ void Navigator::replan(const MapView& map, const Point& position,
   give_up_path();
   plans_.clear();
   planned_on_ = map.version;
+  last_position_ = position;
   while (!finished()) {
     const Point goal = waypoint(next_);
     if (map.blocked.blocked_at(goal) && !same_cell(frame, goal, position)) {

@@ -107,6 +107,40 @@ TEST(Escape, HoldsWhereAHitClosesTheLastWayOut) {
   EXPECT_TRUE(ltp.events().empty());
 }
 
+TEST(Escape, IsLookedForAgainWhereAHoldingUavHasGot) {
+  NavigationOptions options;
+  options.escape_distance = 5.0;
+  LocalTrajectoryPlanner ltp = make(options);
+  std::vector<std::array<int, 2>> plate;
+  for (int dx = -3; dx <= 3; ++dx) {
+    for (int dy = -3; dy <= 3; ++dy) {
+      if (dx != 0 || dy != 0) plate.push_back({dx, dy});
+    }
+  }
+  ltp.sense(kStart, cells(plate), kNothing);
+  ASSERT_EQ(ltp.update(kStart), NavigationStatus::Holding);
+  ASSERT_EQ(ltp.reason(), NavigationReason::NoEscape);
+  EXPECT_EQ(ltp.update(kStart + Point(0.5, 0, 0)), NavigationStatus::Holding);
+  // It brakes, or the wind carries it; the map stays as it is.
+  EXPECT_EQ(ltp.update(kStart + Point(0, 8, 0)), NavigationStatus::Escaping);
+  EXPECT_EQ(ltp.update(kStart + Point(0, 20, 0)), NavigationStatus::Following);
+}
+
+TEST(Escape, IsBegunWhereAHoldingUavDriftsTooNearToWhatWasHit) {
+  LocalTrajectoryPlanner ltp = make();
+  std::vector<std::array<int, 2>> ring;
+  for (int i = -4; i <= 4; ++i) {
+    ring.insert(ring.end(), {{i, -4}, {i, 4}, {-4, i}, {4, i}});
+  }
+  ltp.sense(kStart, cells(ring), kNothing);
+  ASSERT_EQ(ltp.update(kStart), NavigationStatus::Holding);
+  ASSERT_EQ(ltp.reason(), NavigationReason::WalledIn);
+  const int plans = ltp.plans_made();
+  EXPECT_EQ(ltp.update(kStart + Point(2, 0, 0)), NavigationStatus::Holding);
+  EXPECT_EQ(ltp.plans_made(), plans) << "elsewhere in the same court";
+  EXPECT_EQ(ltp.update(kStart + Point(6, 0, 0)), NavigationStatus::Escaping);
+}
+
 TEST(Escape, EndsElsewhereWhenItsEndIsFreeNoMore) {
   LocalTrajectoryPlanner ltp = make();
   ltp.sense(kStart, cells({{-1, 0}, {-1, 1}, {-1, -1}, {1, 1}, {0, 1}}), kNothing);
