@@ -164,11 +164,17 @@ class World:
 
         Raises:
             ImportError: if pyproj is not installed.
-            ValueError: naming `points`, or if the world has no CRS.
+            ValueError: naming `points`, also where the CRS does not reach; or if the world has no
+                CRS.
         """
         points, crs = triples("points", points), self._crs()
         x, y, z = points[..., 0], points[..., 1], points[..., 2]
-        lon, lat = lon_lat(crs, x + self.datum.easting, y + self.datum.northing)
+        east, north = x + self.datum.easting, y + self.datum.northing
+        lon, lat = lon_lat(crs, east, north)
+        # Far beyond its area a projection gives any place at all, and does not come back from it.
+        east_again, north_again = from_lon_lat(crs, lon, lat)
+        if not (np.hypot(east_again - east, north_again - north) < 1.0).all():
+            raise ValueError(f"points lie beyond the area of {self.datum.crs}")
         return np.stack([lat, lon, z], axis=-1)
 
     def to_local(self, places: ArrayLike) -> NDArray[np.float64]:

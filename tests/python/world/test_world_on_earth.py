@@ -91,3 +91,10 @@ def test_places_must_be_on_the_earth() -> None:
         place.to_local([[4.5e6, 5e5, 0.0]])  # metres for degrees
     with pytest.raises(ValueError, match=r"datum\.crs must be a known CRS"):
         world("EPSG:1").to_map([0.0, 0.0, 0.0])
+
+
+@pytest.mark.parametrize("far", [(0.0, 1e9), (1e9, 0.0), (-3e7, 4e7)])
+def test_where_the_crs_does_not_reach_there_is_no_place(far: tuple[float, float]) -> None:
+    """A transverse Mercator goes on past the pole, to places that it does not mean."""
+    with pytest.raises(ValueError, match=r"beyond the area of EPSG:32618|nowhere on the Earth"):
+        world("EPSG:32618", 500000.0, 4e6).to_map([*far, 50.0])
