@@ -52,23 +52,25 @@ Shares shares(double low, double high, int count) {
   return met;
 }
 
-/// For each column along an axis, of a raster's cells.
+/// For each column along an axis, of a raster's cells: the same to the last bit in every window on
+/// the frame's lattice.
 std::vector<Shares> all_shares(const Raster& raster, const GridFrame& frame, int axis) {
-  const double origin = raster.origin()[axis];
+  const double anchor = frame.shifted(-frame.first()).origin()[axis];
   const int cells = axis == 0 ? raster.nx() : raster.ny();
-  const double low = (frame.origin()[axis] - origin) / raster.cell();
-  const double edge = frame.cell()[axis] / raster.cell();
+  const auto face = [&](int i) {  // in cells of the raster, from its origin
+    const double number = static_cast<double>(frame.first()[axis]) + i;
+    return (anchor + number * frame.cell()[axis] - raster.origin()[axis]) / raster.cell();
+  };
   std::vector<Shares> all;
   all.reserve(frame.dims()[axis]);
-  for (int i = 0; i < frame.dims()[axis]; ++i) {
-    all.push_back(shares(low + i * edge, low + (i + 1) * edge, cells));
-  }
+  for (int i = 0; i < frame.dims()[axis]; ++i) all.push_back(shares(face(i), face(i + 1), cells));
   return all;
 }
 
 }  // namespace
 
 bool is_constant_on_columns(const Raster& raster, const GridFrame& frame) {
+  if (raster.minimum() == raster.maximum()) return true;
   std::array<int, 2> parts{1, 1};  // cells of the raster along a column
   std::array<int, 2> first{};      // of them, under the first column
   for (int axis = 0; axis < 2; ++axis) {
@@ -91,8 +93,16 @@ bool is_constant_on_columns(const Raster& raster, const GridFrame& frame) {
     first[axis] = static_cast<int>(
         std::round((frame.origin()[axis] - raster.origin()[axis]) / raster.cell()));
   }
-  for (int ix = 0; ix < frame.nx(); ++ix) {
-    for (int iy = 0; iy < frame.ny(); ++iy) {
+  std::array<int, 2> begin{};  // the columns that meet the raster
+  std::array<int, 2> end{};
+  for (int axis = 0; axis < 2; ++axis) {
+    const int columns = frame.dims()[axis];
+    const int cells = axis == 0 ? raster.nx() : raster.ny();
+    begin[axis] = std::clamp(-first[axis] / parts[axis], 0, columns);
+    end[axis] = std::clamp((cells - first[axis]) / parts[axis] + 1, begin[axis], columns);
+  }
+  for (int ix = begin[0]; ix < end[0]; ++ix) {
+    for (int iy = begin[1]; iy < end[1]; ++iy) {
       const int i = first[0] + ix * parts[0];
       const int j = first[1] + iy * parts[1];
       const double value = raster(i, j);

@@ -10,6 +10,7 @@
 
 #include "ltp/geometry/check.hpp"
 #include "ltp/geometry/norm.hpp"
+#include "ltp/grid/columns.hpp"
 
 namespace ltp {
 namespace {

@@ -155,6 +155,7 @@ TEST(Linearised, BoundsWhatItReportsOverARasterThatIsNotTheGridsColumns) {
     const double shift = i % 3 == 0 ? 1.0 : 0.0;
     const double cell = i % 3 == 1 ? 1.0 : i % 3 == 2 ? 4.0 : 2.0;
     const Raster given(columns.values(), {shift, 0.0}, cell);
+    const bool alike = given.minimum() == given.maximum();
     instance.priority = onto_columns(given, instance.grid.frame());
     PlannerOptions options;
     options.weights = {0.5, 1.0};
@@ -162,7 +163,7 @@ TEST(Linearised, BoundsWhatItReportsOverARasterThatIsNotTheGridsColumns) {
     for (const char* name : {"additive", "sweep", "auto", "ara-star", "exact"}) {
       SCOPED_TRACE(std::string(name) + ", grid " + std::to_string(i));
       const Plan plan = make_planner(name, options)->plan({instance.grid, given}, instance.query);
-      EXPECT_EQ(plan.priority_resampled, i % 3 != 2) << "blocks of columns are as good";
+      EXPECT_EQ(plan.priority_resampled, i % 3 != 2 && !alike) << "blocks of columns are as good";
       if (plan.status != PlanStatus::Found) continue;
       ++found;
       ASSERT_TRUE(plan.bound.has_value());
