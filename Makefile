@@ -15,6 +15,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 LTP_BENCH := build/bench/tests/bench/ltp_bench
 STAMPS := build/stamps
+# A file's tests stay together: they share what they have set up.
+PARALLEL := -n $(JOBS) --dist loadfile
 PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet --quiet
 
 # ccache, where there is one, compiles the core once for the package, the tests and the benchmarks;
@@ -48,7 +50,7 @@ demo: $(STAMPS)/viewer  ## fly the built-in city, into out/demo
 .PHONY: test
 test: $(STAMPS)/test build-tests  ## run the C++ tests and the Python tests
 	ctest --test-dir build/tests -j $(JOBS) --output-on-failure
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest $(PARALLEL)
 
 # Asked for once, so that what is printed is what is used.
 ifndef SEED
@@ -58,7 +60,7 @@ endif
 .PHONY: test-random
 test-random: $(STAMPS)/test  ## run the Python tests on examples that nobody has seen
 	@echo "ltp: make test-random SEED=$(SEED) repeats this run"
-	$(BIN)/python -m pytest --hypothesis-profile=random --hypothesis-seed=$(SEED)
+	$(BIN)/python -m pytest --hypothesis-profile=random --hypothesis-seed=$(SEED) $(PARALLEL)
 
 # Without the viewer: rerun needs NumPy 2, which is not the lowest.
 LOWEST := build/lowest
@@ -71,7 +73,7 @@ test-lowest: $(WHEEL)  ## run the Python tests with the lowest versions of all d
 	@$(BIN)/python .ci/lowest.py geo test > build/lowest.txt
 	@$(LOWEST)/bin/python -m pip --disable-pip-version-check --quiet --quiet \
 	  install --requirement build/lowest.txt dist/*.whl
-	$(LOWEST)/bin/python -m pytest
+	$(LOWEST)/bin/python -m pytest $(PARALLEL)
 
 .PHONY: lint
 lint: $(STAMPS)/dev  ## check layout, style and types
