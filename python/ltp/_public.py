@@ -54,7 +54,7 @@ from ltp._core import (
 )
 from ltp.config import GuidanceOptions, MissionConfig, VehicleOptions
 from ltp.registry import PLANNERS, make_planner
-from ltp.sim import FlightRecord, Outcome, PathFollower, PointMass, fly
+from ltp.sim import Flight, FlightRecord, MountedLidar, Outcome, PathFollower, PointMass, fly
 from ltp.world import World
 
 __all__ = [
@@ -65,6 +65,7 @@ __all__ = [
     "ConcurrentTrajectoryPlanner",
     "Decision",
     "ExactOptions",
+    "Flight",
     "FlightRecord",
     "Front",
     "GridFrame",
@@ -78,6 +79,7 @@ __all__ = [
     "LinearisedOptions",
     "LocalTrajectoryPlanner",
     "MissionConfig",
+    "MountedLidar",
     "NavigationOptions",
     "NavigationReason",
     "NavigationStatus",

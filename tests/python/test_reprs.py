@@ -18,7 +18,7 @@ import ltp.world
 from ltp import _core
 from ltp.config import MissionConfig
 from ltp.evaluation.gap.queries import QuerySet
-from ltp.sim import Mission
+from ltp.sim import Flight, Mission, MountedLidar, look_down
 from ltp.world import World
 from tests.python.scenes import event, plan, record, row
 
@@ -105,6 +105,14 @@ EXAMPLES: dict[str, tuple[Callable[[], object], tuple[str, ...]]] = {
     "MissionSetup": (lambda: steps()[0], ("array>",)),
     "Step": (lambda: steps()[1], ("time=0.0", "position=[5.0, 5.0, 20.0]")),
     "Mission": (lambda: Mission(WORLD, MissionConfig(), PATH), ("auto", "boxes")),
+    "Flight": (
+        lambda: Flight(WORLD, MissionConfig(), PATH[0]),
+        ("auto", "boxes", "0 waypoints", "stopped at 0.0 s"),
+    ),
+    "MountedLidar": (
+        lambda: MountedLidar(look_down(), ltp.Pose((0.0, 0.0, -0.2)), 5.0),
+        ("(0, 0, -0.2)", "rate=5.0"),
+    ),
     "FlightRow": (lambda: row(), ("planner=",)),
     "RayHit": (
         lambda: ltp.HeightSurface(RASTER).cast((20.0, 10.0, 300.0), (0.0, 0.0, -1.0), 400.0),

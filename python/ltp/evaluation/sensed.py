@@ -72,11 +72,9 @@ class SnapshotTaker:
     def __init__(self) -> None:
         self.snapshots: list[Snapshot] = []
         self._flown: list[NDArray[np.float64]] = []
-        self._waypoints = np.empty((0, 3))
 
     def on_start(self, setup: "MissionSetup") -> None:
         """See `Observer`."""
-        self._waypoints = setup.waypoints
 
     def on_step(self, step: "Step") -> None:
         """See `Observer`."""
@@ -84,7 +82,8 @@ class SnapshotTaker:
         if not (step.path_changed or step.events):
             return
         drops = [event for event in step.events if not event.reached]
-        index = min(step.waypoint_index, len(self._waypoints) - 1)
+        goals = step.waypoints if len(step.waypoints) else step.position[None]
+        index = min(step.waypoint_index, len(goals) - 1)
         self.snapshots.append(
             Snapshot(
                 time=step.time,
@@ -92,7 +91,7 @@ class SnapshotTaker:
                 occupied=CellMap.of(step.map.occupied),
                 blocked=CellMap.of(step.map.blocked),
                 path=step.path,
-                goal=np.array(drops[0].goal) if drops else self._waypoints[index],
+                goal=np.array(drops[0].goal) if drops else goals[index],
                 dropped=bool(drops),
             )
         )

@@ -6,26 +6,36 @@ import warnings
 from typing import TYPE_CHECKING
 
 from ltp.sim.export import to_geojson, to_kml
+from ltp.sim.flight import Flight
 from ltp.sim.guidance import PathFollower
 from ltp.sim.mission import Mission, fly
 from ltp.sim.observer import Observer
+from ltp.sim.parts import FlightPlanner, Guidance, Vehicle
 from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WaypointEntry
+from ltp.sim.sensors import MountedLidar, Sensor, look_down
 from ltp.sim.setup import MissionSetup
 from ltp.sim.step import Step
 from ltp.sim.vehicle import PointMass
 
 __all__ = [
+    "Flight",
+    "FlightPlanner",
     "FlightRecord",
+    "Guidance",
     "Mission",
     "MissionSetup",
+    "MountedLidar",
     "Observer",
     "Outcome",
     "PathFollower",
     "PlanEntry",
     "PointMass",
+    "Sensor",
     "Step",
+    "Vehicle",
     "WaypointEntry",
     "fly",
+    "look_down",
     "to_geojson",
     "to_kml",
 ]

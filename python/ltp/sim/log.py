@@ -5,7 +5,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ltp._core import tally
+from ltp._core import Raster, tally
 from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WaypointEntry
 from ltp.sim.setup import MissionSetup
 from ltp.sim.step import Step
@@ -25,7 +25,11 @@ class FlightLog:
         self._plan_index: list[int] = []
         self._waypoint_index: list[int] = []
         self._plans: list[PlanEntry] = []
-        self._waypoints: list[WaypointEntry] = []
+        self.waypoints: list[WaypointEntry] = []  # reached and dropped so far
+        self._given: NDArray[np.float64] | None = None  # waypoints that are flown
+        self._before = 0  # how many of the entries are about waypoints given earlier
+        self._global_path: NDArray[np.float64] = np.empty((0, 3))
+        self._priorities: list[tuple[int, Raster]] = []  # each from a step on
 
     def on_start(self, setup: MissionSetup) -> None:
         """See `Observer`."""
@@ -33,16 +37,41 @@ class FlightLog:
 
     def on_step(self, step: Step) -> None:
         """See `Observer`."""
-        self._plans += [PlanEntry.of(answer, step.time) for answer in step.plans]
-        self._waypoints += [WaypointEntry.of(event, step.time) for event in step.events]
+        if step.waypoints is not self._given:
+            self._take_up(step.waypoints)
+        if not self._priorities or step.priority is not self._priorities[-1][1]:
+            self._priorities.append((len(self._times), step.priority))
+        before = self._before
+        self._plans += [PlanEntry.of(answer, step.time, before) for answer in step.plans]
+        self.waypoints += [WaypointEntry.of(event, step.time, before) for event in step.events]
         self._times.append(step.time)
         self._positions.append(step.position)
         self._velocities.append(step.velocity)
         self._plan_index.append(len(self._plans) - 1)
-        self._waypoint_index.append(step.waypoint_index)
+        self._waypoint_index.append(before + step.waypoint_index)
 
     def on_end(self, record: FlightRecord) -> None:
         """See `Observer`."""
+
+    def _take_up(self, waypoints: NDArray[np.float64]) -> None:
+        """The global path goes on along other waypoints; those not come to are no part of it."""
+        self._given, self._before = waypoints, len(self.waypoints)
+        flown = np.array([entry.goal for entry in self.waypoints]).reshape(-1, 3)
+        self._global_path = np.concatenate([self._setup.global_path[:1], flown, waypoints])
+
+    def _mean_priority(self, positions: NDArray[np.float64]) -> float:
+        """Along the positions (t, 3), each stretch by the map that it was flown with."""
+        begins = [begin for begin, _ in self._priorities]
+        pieces = [
+            tally(positions[begin : end + 1], priority)
+            for (begin, priority), end in zip(
+                self._priorities, [*begins[1:], len(positions) - 1], strict=True
+            )
+        ]
+        length = sum(piece.length for piece in pieces)
+        if len(pieces) == 1 or length == 0.0:
+            return pieces[-1].mean_priority
+        return sum(piece.priority for piece in pieces) / length
 
     def record(
         self,
@@ -58,24 +87,24 @@ class FlightLog:
             reason: why it ended so.
         """
         setup, positions = self._setup, np.array(self._positions)
-        flown = tally(positions, setup.priority)
+        length = tally(positions, setup.priority).length
         clearance = setup.surface.clearance(positions, _CLEARANCE_HORIZON)
         return FlightRecord(
             config=setup.config,
             world_name=setup.world.name,
             attribution=setup.world.attribution,
-            global_path=setup.global_path,
+            global_path=self._global_path,
             times=np.array(self._times),
             positions=positions,
             velocities=np.array(self._velocities),
             plan_index=np.array(self._plan_index, dtype=np.int64),
             waypoint_index=np.array(self._waypoint_index, dtype=np.int64),
-            waypoints=self._waypoints,
-            plans=self._plans,
+            waypoints=list(self.waypoints),
+            plans=list(self._plans),
             outcome=outcome,
             collision=collision,
             min_clearance=float(clearance.min()),
-            mean_priority=flown.mean_priority,
-            length=flown.length,
+            mean_priority=self._mean_priority(positions),
+            length=length,
             reason=reason,
         )

@@ -4,6 +4,7 @@
 
 import enum
 import json
+import math
 import os
 import warnings
 from dataclasses import dataclass, field
@@ -38,6 +39,7 @@ class Outcome(enum.StrEnum):
     NOTHING_REACHED = "nothing_reached"  # every waypoint was dropped
     TIMED_OUT = "timed_out"
     COLLIDED = "collided"
+    STOPPED = "stopped"  # by whoever flew it, on its way
 
 
 @dataclass(frozen=True)
@@ -59,10 +61,10 @@ class WaypointEntry:
         return known.text if known is not None else self.reason.replace("_", " ")
 
     @classmethod
-    def of(cls, event: WaypointEvent, time: float) -> Self:
-        """An event of the planner's at a time [s]."""
+    def of(cls, event: WaypointEvent, time: float, before: int = 0) -> Self:
+        """An event of the planner's at a time [s]; before: waypoints that it no longer counts."""
         return cls(
-            index=event.index,
+            index=before + event.index,
             outcome="reached" if event.reached else "dropped",
             reason="" if event.reached else event.reason.name.lower(),
             time=time,
@@ -91,12 +93,12 @@ class PlanEntry:
     way_point = _old_name("way_point", "waypoint")
 
     @classmethod
-    def of(cls, answer: PlanRecord, time: float) -> Self:
-        """An answer of the planner's at a time [s]."""
+    def of(cls, answer: PlanRecord, time: float, before: int = 0) -> Self:
+        """An answer of the planner's at a time [s]; before: waypoints that it no longer counts."""
         plan = answer.plan
         return cls(
             time=time,
-            waypoint=answer.waypoint,
+            waypoint=before + answer.waypoint,
             status=plan.status.name.lower(),
             path=plan.path,
             penalty=plan.penalty,
@@ -151,8 +153,8 @@ class FlightRecord:
 
     @property
     def length_ratio(self) -> float:
-        """L_LP / L_GP: length flown over length of the global path."""
-        return self.length / self.global_length
+        """L_LP / L_GP: length flown over length of the global path; NaN without one."""
+        return self.length / self.global_length if self.global_length > 0.0 else math.nan
 
     @property
     def dropped(self) -> list[WaypointEntry]:

@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""`MissionSetup`: what a mission is given, and what follows from it before anything moves."""
+"""`MissionSetup`: what a flight is given, and what follows from it before anything moves."""
 
 import copy
+import dataclasses
+import math
 from dataclasses import dataclass
 from typing import Any, Self
 
@@ -21,13 +23,15 @@ from ltp.world.priority import seen_priority
 
 @dataclass(frozen=True, eq=False)
 class MissionSetup:
-    """One world, one configuration, one global path. It stays as it is while the mission flies."""
+    """One world, one configuration, one global path. It stays as it is while the UAV flies."""
 
     world: World
     config: MissionConfig
-    global_path: NDArray[np.float64]  # (n, 3), n >= 2: the start and the waypoints, world [m]
+    global_path: NDArray[np.float64]  # (n, 3): the start and the waypoints to begin with, world [m]
     surface: Surface  # what is really there
     priority: Raster  # the map that the UAV is given
+    time_limit: float = math.inf  # after so long a mission has timed out [s]
+    bare: bool = False  # whether there is a surface only, and `world` is what is drawn of it
 
     __repr__ = brief
 
@@ -46,32 +50,83 @@ class MissionSetup:
                 named.
             TypeError: for an argument of another kind.
         """
+        _demand("config", config, MissionConfig)
+        path = checked_points("global_path", global_path)
+        if len(path) < 2 or np.ndim(global_path) != 2:
+            raise ValueError(
+                f"global_path.shape = {np.shape(global_path)}: expected (n, 3) with n >= 2"
+            )
+        length = path_length(path)
+        if length == 0.0:
+            raise ValueError("global_path: expected a path longer than 0 m")
+        limit = config.time_limit_factor * length / config.vehicle.speed
+        return cls._made(world, config, path, priority, "global_path", limit)
+
+    @classmethod
+    def at(
+        cls,
+        world: World | Surface,
+        config: MissionConfig,
+        start: ArrayLike,
+        priority: Raster | None = None,
+    ) -> Self:
+        """Prepare a flight without a time limit: see `Flight`.
+
+        Raises:
+            ValueError: for a configuration, waypoints or a start that cannot be flown; it is named.
+        """
+        path = checked_points("start", start)
+        if not len(path):
+            raise ValueError("start.shape = (0, 3): expected (3,), or (n, 3) with n >= 1")
+        return cls._made(world, config, path, priority, "start")
+
+    @classmethod
+    def _made(
+        cls,
+        world: World | Surface,
+        config: MissionConfig,
+        path: NDArray[np.float64],
+        priority: Raster | None,
+        name: str,
+        time_limit: float = math.inf,
+    ) -> Self:
         _demand("world", world, World, Surface)
         _demand("config", config, MissionConfig)
         if priority is not None:
             _demand("priority", priority, Raster)
         config = copy.copy(config)  # whatever becomes of the caller's
         config.check()
-        path = _checked_path(global_path)
         if isinstance(world, Surface):
-            scenery = scenery_of(world)
-            given = _no_priority() if priority is None else seen_priority(priority)
-            return cls(scenery, config, path, world, given)
-        refuse_off_world(world, path)
-        check_take_off(world, config, path)
+            seen = _no_priority() if priority is None else seen_priority(priority)
+            return cls(scenery_of(world), config, path, world, seen, time_limit, bare=True)
+        refuse_off_world(world, path, name)
+        if len(path) > 1:  # else it may be told to climb
+            check_take_off(world, config, path)
         surface = HeightSurface(world.surface_raster())
-        return cls(world, config, path, surface, _priority(world, config, path, priority))
+        seen = _priority(world, config, path, priority)
+        return cls(world, config, path, surface, seen, time_limit)
 
     @property
     def waypoints(self) -> NDArray[np.float64]:
         """(n - 1, 3), the global path without its start [m]."""
         return self.global_path[1:]
 
-    @property
-    def time_limit(self) -> float:
-        """After so long a flight has timed out [s]."""
-        config = self.config
-        return config.time_limit_factor * path_length(self.global_path) / config.vehicle.speed
+    def check(self, waypoints: NDArray[np.float64]) -> None:
+        """Raise `ValueError` for waypoints (n, 3) [m] that lie off the world."""
+        if not self.bare and len(waypoints):
+            refuse_off_world(self.world, waypoints, "waypoints")
+
+    def along(self, waypoints: NDArray[np.float64]) -> Self:
+        """The same with other waypoints (n, 3) to begin with [m].
+
+        Raises:
+            ValueError: for waypoints off the world, or a start too low to get to them.
+        """
+        self.check(waypoints)
+        path = np.concatenate([self.global_path[:1], waypoints])
+        if not self.bare and len(waypoints):
+            check_take_off(self.world, self.config, path)
+        return dataclasses.replace(self, global_path=path)
 
     def first_touch(
         self, before: NDArray[np.float64], after: NDArray[np.float64]
@@ -96,18 +151,23 @@ def _no_priority() -> Raster:
     return Raster(np.zeros((1, 1)), origin=(0.0, 0.0), cell=1.0)
 
 
-def _checked_path(global_path: ArrayLike) -> NDArray[np.float64]:
+def checked_points(name: str, points: ArrayLike) -> NDArray[np.float64]:
+    """A copy, (n, 3), of points (n, 3) or of one point (3,) [m].
+
+    Raises:
+        ValueError: that names them, for another shape or a coordinate that is not finite.
+    """
     try:
-        path = np.ascontiguousarray(global_path, dtype=np.float64)
+        array = np.array(points, dtype=np.float64, order="C")
     except (TypeError, ValueError) as error:
-        raise ValueError(f"global_path: expected numbers of shape (n, 3), {error}") from error
-    if path.ndim != 2 or path.shape[1] != 3 or len(path) < 2:
-        raise ValueError(f"global_path.shape = {path.shape}: expected (n, 3) with n >= 2")
-    if not np.isfinite(path).all():
-        raise ValueError("global_path: expected finite coordinates")
-    if path_length(path) == 0.0:
-        raise ValueError("global_path: expected a path longer than 0 m")
-    return path
+        raise ValueError(f"{name}: expected numbers of shape (n, 3), {error}") from error
+    if array.shape in ((3,), (0,)):
+        array = array.reshape(-1, 3)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"{name}.shape = {array.shape}: expected (n, 3)")
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name}: expected finite coordinates")
+    return array
 
 
 def _priority(

@@ -43,7 +43,8 @@ class FlightRecording:
 
     _setup: MissionSetup  # since the start
     _map: ObstacleMap  # since the first step
-    _colours: NDArray[np.uint8]  # (waypoints, 3)
+    _waypoints: NDArray[np.float64]  # (n, 3), as shown
+    _colours: NDArray[np.uint8]  # (n, 3)
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self._rr: Any = require_rerun()
@@ -75,7 +76,7 @@ class FlightRecording:
         """Write what stays as it is: world, priority map, global path."""
         rr, world, path = self._rr, setup.world, setup.global_path
         self._setup = setup
-        self._colours = np.tile(np.array(_CYAN, dtype=np.uint8), (len(path) - 1, 1))
+        self._waypoints, self._colours = np.empty((0, 3)), np.empty((0, 3), dtype=np.uint8)
         self._stream = rr.RecordingStream("ltp", send_properties=False)
         self._stream.save(self._part, default_blueprint=self._blueprint(setup))
         self._static("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP)
@@ -101,7 +102,7 @@ class FlightRecording:
         first = not self._flown
         self._flown.append(step.position)
         self._log("uav", self._rr.Points3D(step.position[None], colors=_WHITE, radii=2.0))
-        if first or step.events:
+        if first or step.events or step.waypoints is not self._waypoints:
             self._note_events(step)
         self._note_plans(step)
         if step.path_changed:
@@ -130,13 +131,16 @@ class FlightRecording:
         self._part.replace(self._path)
 
     def _note_events(self, step: Step) -> None:
+        if step.waypoints is not self._waypoints:
+            self._waypoints = step.waypoints
+            self._colours = np.tile(np.array(_CYAN, dtype=np.uint8), (len(step.waypoints), 1))
         for event in step.events:
             fate = "reached" if event.reached else f"dropped: {event.why.text}"
             level = "INFO" if event.reached else "WARN"
             text = f"waypoint {event.index + 1} {fate}"
             self._log("events", self._rr.TextLog(text, level=level))
             self._colours[event.index] = _GREEN if event.reached else _RED
-        goals = self._rr.Points3D(self._setup.waypoints, colors=self._colours, radii=2.0)
+        goals = self._rr.Points3D(self._waypoints, colors=self._colours, radii=2.0)
         self._log("mission/waypoints", goals)
 
     def _note_plans(self, step: Step) -> None:
@@ -206,7 +210,8 @@ class FlightRecording:
         """A 3-D view that looks along the global path, the curves beside it."""
         rrb: Any = require_rerun("rerun.blueprint")
         start, end = setup.global_path[0], setup.global_path[-1]
-        along = (end - start) / np.linalg.norm(end - start)
+        length = np.linalg.norm(end - start)
+        along = (end - start) / length if length > 0.0 else np.array([1.0, 0.0, 0.0])
         eye = rrb.EyeControls3D(
             position=start - 120.0 * along + (0.0, 0.0, 220.0),
             look_target=start + 180.0 * along,
