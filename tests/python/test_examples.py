@@ -41,6 +41,17 @@ def test_a_cloud_is_read_as_it_comes() -> None:
     ]
 
 
+def test_a_flight_is_driven_by_hand() -> None:
+    lines = output_of("06_fly_by_hand.py").splitlines()
+    assert [line.split(" s  ")[1].split(" ")[0] for line in lines[:3]] == [
+        "first",
+        "there;",
+        "touched",
+    ]
+    assert lines[2].endswith("0.0 m")
+    assert lines[3].startswith("collided: ")
+
+
 def test_examples_are_short() -> None:
     examples = [path for path in EXAMPLES.iterdir() if path.suffix in (".py", ".cpp")]
     assert len(examples) >= 5
