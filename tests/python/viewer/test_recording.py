@@ -18,7 +18,7 @@ from ltp._core import GridFrame, OccupancyGrid
 from ltp.config import MissionConfig
 from ltp.evaluation.scenarios import ScenarioOptions, make_scenario
 from ltp.installed import pip_install
-from ltp.sim import fly
+from ltp.sim import Flight, fly
 from ltp.viewer import FlightRecording, replay
 from ltp.viewer.recording import _cell_centres
 from ltp.viewer.scenery import priority_mesh, surface_mesh
@@ -44,6 +44,22 @@ def rerun(tmp_path: Path, *arguments: str) -> str:
 def rows_of(statistics: str) -> dict[str, int]:
     """Chunks by entity, as `rerun rrd stats` lists them."""
     return {name: int(count) for name, count in re.findall(r"^(/[\w/]*): (\d+)$", statistics, re.M)}
+
+
+def test_waypoints_that_change_in_flight_are_recorded(tmp_path: Path) -> None:
+    path = tmp_path / "flight.rrd"
+    with (
+        FlightRecording(path) as recording,
+        Flight(town(), MissionConfig(), (20.0, 20.0, 30.0), observers=[recording]) as flight,
+    ):
+        flight.step()
+        flight.set_waypoints([(26.0, 20.0, 30.0)])
+        flight.run()
+        flight.set_waypoints([(30.0, 24.0, 30.0), (34.0, 24.0, 30.0)])
+        flight.run()
+    rows = rows_of(rerun(tmp_path, "rrd", "stats", str(path)))
+    assert rows["/mission/waypoints"] >= 1
+    assert rows["/events"] >= 1
 
 
 def test_a_recording_holds_the_whole_flight(tmp_path: Path) -> None:
