@@ -19,10 +19,12 @@ from ltp.sim.parts import (
     FlightPlanner,
     Guidance,
     Vehicle,
+    check_at,
     checked_velocity,
     default_guidance,
     default_planner,
     planner_after,
+    rest_of,
 )
 from ltp.sim.record import FlightRecord, Outcome
 from ltp.sim.sensors import MountedLidar, Sensor, check_sensors, scans_of
@@ -32,8 +34,6 @@ from ltp.sim.step import Step, StepMaker
 from ltp.sim.vehicle import PointMass
 from ltp.world import World
 from ltp.world.priority import seen_priority
-
-_NEAR = 1e-6  # of the start [m]
 
 
 class Flight:
@@ -102,14 +102,12 @@ class Flight:
         self.planner = default_planner(setup) if planner is None else planner
         self.vehicle = PointMass(start, config.vehicle) if vehicle is None else vehicle
         self.guidance = default_guidance(config) if guidance is None else guidance
-        if np.any(np.abs(self.vehicle.position - start) > _NEAR):
-            here = tuple(np.asarray(self.vehicle.position).tolist())
-            raise ValueError(f"vehicle.position = {here}: expected the start, {tuple(start)}")
+        check_at(start, self.vehicle)
         given = {"planner": planner, "vehicle": vehicle, "guidance": guidance}
         self._made = {name: getattr(self, name) for name in given if given[name] is None}
         self._seconds, self._tick, self.held = config.step, 0, 0.0
         self._last, self._next, self._watchers = None, None, ()
-        self._ended = self._stopped = False
+        self._guided_by, self._ended, self._stopped = self.guidance, False, False
         self._log, self._steps = FlightLog(), StepMaker()
         self._waypoints, self._priority = setup.waypoints, setup.priority
         self.planner.set_waypoints(self._waypoints)
@@ -170,6 +168,9 @@ class Flight:
             return None
         if step.path_changed:
             self.guidance.follow(step.path)
+        elif self._guided_by is not self.guidance:  # it was exchanged on the way
+            self.guidance.follow(rest_of(step.path, step.position))
+        self._guided_by = self.guidance
         guided = self.guidance.command(step.position, step.velocity, step.map.occupied)
         self.vehicle.step(guided if command is None else command, self._seconds)
         self._tick += 1

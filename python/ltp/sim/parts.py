@@ -22,6 +22,7 @@ from ltp._core import (
     PlanRecord,
     Raster,
     WaypointEvent,
+    closest_point,
 )
 from ltp.config import MissionConfig
 from ltp.sim.guidance import PathFollower
@@ -159,6 +160,24 @@ def default_guidance(config: MissionConfig) -> PathFollower:
         step=config.step,
         options=config.guidance,
     )
+
+
+def check_at(start: NDArray[np.float64], vehicle: Vehicle) -> None:
+    """Raise `ValueError` for a vehicle that is not at the start (3,) [m]."""
+    position = np.asarray(vehicle.position)
+    if position.shape != (3,) or not np.allclose(position, start, rtol=0.0, atol=1e-6):
+        raise ValueError(
+            f"vehicle.position = {position.tolist()}: expected the start, {start.tolist()}"
+        )
+
+
+def rest_of(path: NDArray[np.float64], position: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What is left of a path (k, 3) from the point of it nearest to a position (3,) [m]."""
+    if len(path) < 2:
+        return path
+    here, arc, _ = closest_point(path, position)
+    arcs = np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))
+    return np.concatenate([here[None], path[1:][arcs > arc]])
 
 
 def checked_velocity(command: ArrayLike) -> NDArray[np.float64]:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import ltp
-from ltp._core import NavigationStatus
+from ltp._core import NavigationStatus, closest_point
 from ltp.sim import Flight, Outcome
 from tests.python.sim.towers import START, TOWER, config, make_world, path, same
 
@@ -141,6 +141,26 @@ def test_a_vehicle_and_a_guidance_of_ones_own_are_flown() -> None:
     assert same(record, flight.end())
     with pytest.raises(ValueError, match=r"vehicle\.position"):
         Flight(world, config(), points, vehicle=Slow(points[1]))
+
+
+def test_a_guidance_exchanged_on_the_way_goes_on_from_there() -> None:
+    flight = Flight(make_world(TOWER), config(), path((30, 70), (130, 70)))
+    flight.run(lambda step: step.position[0] > 50.0)
+    for speed in (1.0, 3.0):
+        flight.guidance = ltp.PathFollower(speed, 3.0)
+        before = flight.run(seconds=2.0)
+        steps = [flight.step() for _ in range(20)]
+        assert not any(step.path_changed for step in steps)
+        flown = ltp.tally(
+            [before.position, *(step.position for step in steps)], flight.setup.priority
+        )
+        assert flown.length == pytest.approx(2.0 * speed, rel=0.2)
+        _, arc, apart = closest_point(before.path, before.position)
+        _, later, _ = closest_point(before.path, steps[-1].position)
+        assert later - arc == pytest.approx(2.0 * speed, rel=0.2), "onward"
+        assert apart < 1.0
+    flight.run()
+    assert flight.end().complete
 
 
 def test_another_planner_takes_over_with_the_waypoints_left() -> None:
