@@ -27,7 +27,7 @@ from ltp.sim.parts import (
     rest_of,
 )
 from ltp.sim.record import FlightRecord, Outcome
-from ltp.sim.sensors import MountedLidar, Sensor, check_sensors, scans_of
+from ltp.sim.sensors import MountedLidar, Sensor, check_sensors, mapped_from, scans_of
 from ltp.sim.setup import MissionSetup, checked_points
 from ltp.sim.standing import Standing
 from ltp.sim.step import Step, StepMaker
@@ -50,8 +50,7 @@ class Flight:
         world: what is really there, as for `fly`.
         config: settings of all parts that are not given.
         start: (3,), where it begins, or (n, 3): that and its first waypoints, world [m].
-        sensors: mapped in this order, each from its own origin; by default the LiDAR of the
-            configuration.
+        sensors: mapped in this order; by default the LiDAR of the configuration.
         planner: its waypoints are replaced by the flight's; by default a `LocalTrajectoryPlanner`.
         vehicle: at the start; by default a `PointMass`.
         guidance: by default a `PathFollower`.
@@ -143,9 +142,11 @@ class Flight:
         status = NavigationStatus.HOLDING if self._last is None else self._last.status
         if collision is None:
             scans = scans_of(self.sensors, self.setup, self.vehicle, self._tick)
+            position = self.vehicle.position
             for scan in filter(None, scans):
-                self.planner.sense(scan.origin, scan.hits, scan.misses)
-            status = self.planner.update(self.vehicle.position)
+                origin = mapped_from(scan, position, self.planner.map)
+                self.planner.sense(origin, scan.hits, scan.misses)
+            status = self.planner.update(position)
             self.held = self.held + self._seconds if status == NavigationStatus.HOLDING else 0.0
         self._last = self._next = self._steps.make(
             self.planner,

@@ -11,13 +11,14 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ltp._core import Lidar, LidarOptions, Pose, Scan, Surface
+from ltp._core import Lidar, LidarOptions, ObstacleMap, Pose, Scan, Surface
 from ltp.brief import brief
 from ltp.config import MissionConfig
 from ltp.sim.parts import Vehicle
 from ltp.sim.setup import MissionSetup
 
 _AT_THE_BODY = Pose((0.0, 0.0, 0.0))  # a pose never changes
+_INSIDE = 1e-6  # of a cell, from its faces
 _ON_TIME = 1e-9  # of a scan: rounding does not put one off to the next step
 
 
@@ -102,6 +103,31 @@ def scans_of(
         sensor.scan(setup.surface, body, tick, config.step, misses=config.mapping.carve_free_space)
         for sensor in sensors
     )
+
+
+def mapped_from(
+    scan: Scan, position: NDArray[np.float64], known: ObstacleMap
+) -> NDArray[np.float64]:
+    """Where a scan is said to begin, (3,) [m], so that the map's window stays with the vehicle.
+
+    `sense` moves the window to a scan's origin. Mounts on both sides of a cell's face would move it
+    there and back at every step: a millisecond, and the outermost cells forgotten. So the origin is
+    moved to the nearest point from which the window is the vehicle's, by no more than the mount is
+    away. A map that carves follows the rays, and is told the origin itself.
+
+    Args:
+        scan: of a sensor on the vehicle.
+        position: of the vehicle, (3,) [m].
+        known: the map that it is for.
+    """
+    origin = scan.origin
+    if known.options.carve_free_space or np.array_equal(origin, position):
+        return origin
+    frame = known.occupied.frame
+    half = 0.5 * np.array(frame.dims)
+    middle = np.floor((position - frame.origin) / frame.cell - half + 0.5) + half - 0.5
+    low = frame.origin + middle * frame.cell
+    return np.clip(origin, low + _INSIDE * frame.cell, low + (1.0 - _INSIDE) * frame.cell)
 
 
 def check_sensors(sensors: Sequence[Sensor], config: MissionConfig) -> None:

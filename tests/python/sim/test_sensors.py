@@ -7,7 +7,7 @@ import pytest
 
 import ltp
 from ltp.sim import Flight, MountedLidar, look_down
-from ltp.sim.sensors import on_body
+from ltp.sim.sensors import mapped_from, on_body
 from tests.python.scenes import box_world
 
 SURFACE = ltp.HeightSurface(ltp.Raster(np.zeros((200, 200)), origin=(-100.0, -100.0), cell=1.0))
@@ -115,28 +115,57 @@ def test_a_step_has_a_scan_a_sensor_in_its_turn() -> None:
     assert all(step.scan is step.scans[0] for step in steps)
 
 
-def test_two_sensors_fill_one_map_and_the_window_stays_with_the_vehicle() -> None:
-    """Against a map that is never moved; the mount crosses a level of cells, there and back."""
+class Windows:
+    """A planner that notes where its window was after every scan."""
+
+    def __init__(self, planner: ltp.LocalTrajectoryPlanner) -> None:
+        self._planner = planner
+        self.origins: list[np.ndarray] = []
+
+    def __getattr__(self, name: str) -> object:
+        return getattr(self._planner, name)
+
+    def sense(self, *scan: np.ndarray) -> None:
+        self._planner.sense(*scan)
+        self.origins.append(self._planner.map.occupied.frame.origin)
+
+
+@pytest.mark.parametrize("carve", [False, True])
+def test_two_sensors_fill_one_map_and_the_window_stays_with_the_vehicle(carve: bool) -> None:
+    """Against a map that is never moved; the mount lies where the window would be another."""
     world, settings = box_world([(60, 80, 40, 60)], height=28.0), config()
-    path = np.array([[30.0, 30, 32.1], [95, 70, 32.1]])
+    settings.mapping.carve_free_space = carve
+    path = np.array([[30.0, 30, 34.1], [95, 70, 34.1]])
     flight = Flight(world, settings, path, sensors=two(rate=10.0))
-    whole = ltp.ObstacleMap(ltp.ObstacleMapOptions(dims=[200, 200, 40]), path[0])
+    flight.planner = windows = Windows(flight.planner)
+    fixed = ltp.ObstacleMapOptions(dims=[200, 200, 40], carve_free_space=carve)
+    whole = ltp.ObstacleMap(fixed, path[0])
     cell_of = whole.occupied.frame.cell_of
-    levels = set()
     for _ in range(150):
         step = flight.step()
-        for scan_ in step.scans:
-            whole.insert(scan_.origin, scan_.hits)
-            levels.add(cell_of(scan_.origin)[2] - cell_of(step.position)[2])
         frame = step.map.occupied.frame
-        centre = 0.5 * (frame.origin + frame.upper)
-        assert (np.abs(centre - step.position) <= frame.cell).all()
+        for scan_ in step.scans:
+            whole.insert(scan_.origin, scan_.hits, scan_.misses)
         x, y, z = cell_of(frame.origin + 0.5 * frame.cell)
         nx, ny, nz = frame.dims
         there = whole.occupied.to_array()[x : x + nx, y : y + ny, z : z + nz]
         np.testing.assert_array_equal(step.map.occupied.to_array(), there)
-    assert levels == {0, -1}
+        moved = [(origin != frame.origin).any() for origin in windows.origins[-2:]]
+        assert moved == [False, carve], "rays are followed from where they begin"
     assert step.map.occupied.count() > 1000
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_an_origin_is_moved_no_farther_than_the_mount(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    known = ltp.ObstacleMap(ltp.ObstacleMapOptions(dims=[81, 80, 21]), rng.uniform(-9, 9, 3))
+    for _ in range(200):
+        position, mount = rng.uniform(-9, 9, 3), rng.uniform(-1.5, 1.5, 3)
+        begun = scan(MountedLidar(options(azimuths=1, rows=1), ltp.Pose(mount)), ltp.Pose(position))
+        origin = mapped_from(begun, position, known)
+        assert np.linalg.norm(origin - begun.origin) <= np.linalg.norm(mount) + 1e-5
+        known.recentre(position)
+        assert (known.recentre(origin) == 0).all()
 
 
 def test_a_tilted_vehicle_tilts_its_sensors() -> None:
