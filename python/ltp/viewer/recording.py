@@ -108,9 +108,10 @@ class FlightRecording:
         if step.path_changed:
             strips = [step.path] if len(step.path) else []
             self._log("plan", self._rr.LineStrips3D(strips, colors=_YELLOW, radii=0.7))
-        if step.scan is not None and step.time >= self._next_scan - 1e-9:
+        scans = [scan for scan in step.scans if scan is not None]
+        if scans and step.time >= self._next_scan - 1e-9:
             self._next_scan += _SCAN_EVERY
-            self._note_scan(step.scan)
+            self._note_scans(scans)
             self._note_flown()
         if step.time >= self._next_cells - 1e-9:
             self._next_cells += _CELLS_EVERY
@@ -152,8 +153,8 @@ class FlightRecording:
                 self._log("plots/penalty/plan", self._rr.Scalars(plan.penalty))
                 self._log("plots/priority/of_plan", self._rr.Scalars(plan.tally.mean_priority))
 
-    def _note_scan(self, scan: Scan) -> None:
-        hits = np.asarray(scan.hits)
+    def _note_scans(self, scans: list[Scan]) -> None:
+        hits = np.concatenate([scan.hits for scan in scans])
         hits = hits[:: max(1, -(-len(hits) // _MOST_HITS))]
         self._log("lidar", self._rr.Points3D(hits, colors=_RED, radii=0.25))
 
