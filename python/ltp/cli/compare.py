@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`ltp compare`: planners over the same flown scenarios, pair by pair."""
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -43,8 +44,9 @@ def compare(
 ) -> None:
     """Compare planners closed loop, paired by global path.
 
-    Prints the mean difference (second less first) of the flown Eq. 5, of the length ratio and of
-    the mean priority with 95 % confidence intervals (BCa bootstrap, 10,000 seeded resamples).
+    Prints the mean difference (second less first) of the flown Eq. 5, of the length ratio, of the
+    mean priority and of the mean distance from the global path with 95 % confidence intervals (BCa
+    bootstrap, 10,000 seeded resamples).
     """
     from ltp.evaluation.campaign.compare import (
         compare_all,
@@ -97,6 +99,8 @@ def _tell(comparison: "Comparison") -> None:
     for name, title in MEASURES.items():
         interval = comparison.differences[name]
         sure = "" if interval.excludes_zero else "  (zero is in the interval)"
+        if math.isnan(interval.mean):
+            continue  # flown before it was measured
         say(f"  {title:<15} {interval_text(interval)}{sure}")
     say(
         f"  Eq. 5 lower in {comparison.better}, higher in {comparison.worse} pairs; collisions: "

@@ -10,6 +10,7 @@ import numpy as np
 
 from ltp.sim.record import FlightRecord
 
+from .off_path import distances_to_path
 from .row_table import Keyed
 
 
@@ -18,7 +19,8 @@ def to_dataframe(rows: Iterable[Keyed] | FlightRecord) -> Any:
     line a step.
 
     Of a flight the columns are `time` [s], `x`, `y`, `z` [m], `vx`, `vy`, `vz` [m/s] (world frame),
-    `plan` and `waypoint` (indices). Of rows they are their fields.
+    `plan` and `waypoint` (indices), `path_distance` (horizontal, from the global path [m]). Of rows
+    they are their fields.
 
     Raises:
         ImportError: if pandas is not installed.
@@ -32,5 +34,6 @@ def to_dataframe(rows: Iterable[Keyed] | FlightRecord) -> Any:
         return pandas.DataFrame([dataclasses.asdict(row) for row in values])
     names = ("time", "x", "y", "z", "vx", "vy", "vz")
     steps = np.column_stack([rows.times, rows.positions, rows.velocities])
+    away = distances_to_path(rows.positions, rows.global_path)
     frame = pandas.DataFrame(steps, columns=names)
-    return frame.assign(plan=rows.plan_index, waypoint=rows.waypoint_index)
+    return frame.assign(plan=rows.plan_index, waypoint=rows.waypoint_index, path_distance=away)

@@ -24,6 +24,7 @@ def test_a_flight_is_a_line_a_step() -> None:
     frame = to_dataframe(flight)
     np.testing.assert_array_equal(frame[["x", "y", "z"]], flight.positions)
     np.testing.assert_array_equal(frame.time, flight.times)
+    assert frame.path_distance.tolist() == [0.0] * 6  # along the global path itself
     assert frame.waypoint.dtype.kind == "i"
 
 

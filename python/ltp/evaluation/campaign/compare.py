@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Two planners over the same flown scenarios, pair by pair: what differs, and how surely."""
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
@@ -16,6 +17,7 @@ MEASURES = {
     "penalty": "flown Eq. 5",
     "length_ratio": "length ratio",
     "mean_priority": "mean priority",
+    "path_distance_mean": "metres off path",
 }
 
 
@@ -81,9 +83,7 @@ def compare(baseline: FlownVariant, challenger: FlownVariant) -> Comparison:
     ended = [pair for pair in pairs if all(row.completed for row in pair)]
     if not ended:
         raise ValueError(f"{baseline.name} and {challenger.name} flew no scenario both to its end")
-    differences = {
-        name: [getattr(b, name) - getattr(a, name) for a, b in ended] for name in MEASURES
-    }
+    differences = {name: _differences(ended, name) for name in MEASURES}
     gained = differences["penalty"]
     return Comparison(
         baseline=baseline,
@@ -94,6 +94,12 @@ def compare(baseline: FlownVariant, challenger: FlownVariant) -> Comparison:
         better=sum(value < 0.0 for value in gained),
         worse=sum(value > 0.0 for value in gained),
     )
+
+
+def _differences(pairs: Sequence[tuple[FlightRow, FlightRow]], name: str) -> list[float]:
+    """None at all where a row lacks the column: it is older."""
+    values = [(getattr(a, name), getattr(b, name)) for a, b in pairs]
+    return [] if any(None in pair for pair in values) else [b - a for a, b in values]
 
 
 def compare_all(
@@ -167,7 +173,9 @@ TITLES = (
 
 
 def interval_text(interval: Interval) -> str:
-    """Mean and ends, signed."""
+    """Mean and ends, signed; a dash where there is none."""
+    if math.isnan(interval.mean):
+        return "–"
     mean, low, high = (
         f"{value:+.3f}".replace("-", "−") for value in (interval.mean, interval.low, interval.high)
     )

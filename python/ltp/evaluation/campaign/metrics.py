@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ltp._core import PathTally, penalty
 from ltp.sim.record import FlightRecord, Outcome
 
+from ..off_path import off_path
 from .drops import DropJudge
 from .rows import FlightRow
 
@@ -64,7 +65,7 @@ def flight_row(
         judge: of the waypoints that it dropped.
     """
     drops = record.dropped
-    times = TimeStatistics.of(record.plan_seconds)
+    times, away = TimeStatistics.of(record.plan_seconds), off_path(record)
     config = record.config
     return FlightRow(
         key=key,
@@ -78,6 +79,7 @@ def flight_row(
         seed=scenario.seed,
         crosses_building=scenario.crosses_building,
         outcome=record.outcome.value,
+        reason=record.reason,
         waypoints=len(record.global_path) - 1,
         reached=len(record.waypoints) - len(drops),
         dropped=len(drops),
@@ -89,6 +91,8 @@ def flight_row(
         mean_priority=record.mean_priority,
         length=record.length,
         length_ratio=record.length_ratio,
+        path_distance_mean=away.mean,
+        path_distance_max=away.largest,
         penalty=flown_penalty(record),
         min_clearance=record.min_clearance,
         end_distance=end_distance(record),

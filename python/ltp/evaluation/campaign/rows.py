@@ -35,6 +35,7 @@ class FlightRow:
     seed: int
     crosses_building: bool  # the straight global path does
     outcome: str  # reached, nothing_reached, timed_out, collided
+    reason: str = ""  # why it ended so, a sentence without its full stop; "": not recorded
     waypoints: int  # to reach: the start is none
     reached: int  # waypoints reached
     dropped: int  # waypoints dropped as proved unreachable
@@ -46,6 +47,8 @@ class FlightRow:
     mean_priority: float
     length: float  # flown [m]
     length_ratio: float  # flown over the global path's length, L_LP / L_GP
+    path_distance_mean: float | None = None  # from the global path, see `off_path` [m]
+    path_distance_max: float | None = None  # the largest [m]
     penalty: float  # Eq. (5) on the flown path
     min_clearance: float  # to the true world's solid [m]
     end_distance: float  # from where the flight ended to the end of the global path [m]

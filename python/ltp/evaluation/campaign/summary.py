@@ -33,7 +33,7 @@ class Spread:
 class Summary:
     """The flights of one variant, or (`timed_out_only`) those of them that timed out.
 
-    The two means of a variant are paired: over the global paths (`common`) that every variant of
+    The means of a variant are paired: over the global paths (`common`) that every variant of
     its table flew to the end. Else a planner that strands on the hard paths would look shorter.
     """
 
@@ -50,6 +50,8 @@ class Summary:
     wrongly_dropped_fine: int | None  # the same; None if it was not judged
     mean_priority: Spread
     length_ratio: Spread
+    path_distance: Spread | None  # mean distance from the global path [m]; None: not in the rows
+    path_distance_max: float | None  # the largest of these flights [m]
     min_clearance: float  # the smallest of all flights [m]
     plans: int
     time_mean: float  # of a search, over all searches of all flights [ms]
@@ -87,6 +89,9 @@ def summarise(variants: Sequence[Variant], rows: Iterable[FlightRow]) -> list[Su
 def _summary(variant: Variant, mine: Sequence[FlightRow], averaged: Sequence[FlightRow]) -> Summary:
     times = np.array([time for row in mine for time in row.plan_times])
     fine = [row.wrongly_dropped_fine for row in mine]
+    away = [row.path_distance_mean for row in averaged if row.path_distance_mean is not None]
+    most = [row.path_distance_max for row in averaged if row.path_distance_max is not None]
+    measured = len(away) == len(most) == len(averaged)
     return Summary(
         world=mine[0].world if mine else "",
         variant=variant,
@@ -101,6 +106,8 @@ def _summary(variant: Variant, mine: Sequence[FlightRow], averaged: Sequence[Fli
         wrongly_dropped_fine=None if None in fine else sum(count or 0 for count in fine),
         mean_priority=Spread.of([row.mean_priority for row in averaged]),
         length_ratio=Spread.of([row.length_ratio for row in averaged]),
+        path_distance=Spread.of(away) if measured else None,
+        path_distance_max=max(most, default=math.nan) if measured else None,
         min_clearance=min((row.min_clearance for row in mine), default=math.nan),
         plans=sum(row.plans for row in mine),
         time_mean=float(times.mean()) if len(times) else math.nan,

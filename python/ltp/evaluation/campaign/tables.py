@@ -55,7 +55,7 @@ def markdown_table(summaries: Sequence[Summary]) -> str:
     for line in lines:
         cells = [f"**{cell}**" if best else cell for cell, best in line]
         text.append("| " + " | ".join(cells) + " |")
-    return "\n".join(text) + f"\n\n{averaged_over(summaries)}\n"
+    return "\n".join(text) + f"\n\n{averaged_over(summaries)} {_OFF_PATH}\n"
 
 
 def averaged_over(summaries: Sequence[Summary]) -> str:
@@ -127,6 +127,21 @@ def _time(value: float | None) -> str:
     return f"{value:.1f}" if value >= 10.0 else f"{value:.2f}"
 
 
+def _metres(value: float | None) -> str:
+    return "–" if value is None or math.isnan(value) else f"{value:.0f}"
+
+
+def _off_path(summary: Summary) -> str:
+    away = summary.path_distance
+    if away is None or math.isnan(away.mean):
+        return "–"
+    return f"{away.mean:.1f}" + ("" if math.isnan(away.sd) else f" ({away.sd:.1f})")
+
+
+def _off_path_rank(summary: Summary) -> float:
+    return math.nan if summary.path_distance is None else summary.path_distance.mean
+
+
 def _paper(show: Callable[[PaperRow], str]) -> Callable[[Summary], str]:
     return lambda summary: show(summary.paper) if summary.paper else "–"
 
@@ -149,6 +164,8 @@ _COLUMNS = (
     _Column("paper: P", _paper(lambda p: f"{p.mean_priority:.2f} ({p.mean_priority_sd:.2f})")),
     _Column("L_LP/L_GP (SD)", lambda s: _spread(s.length_ratio), lambda s: s.length_ratio.mean),
     _Column("paper: L", _paper(lambda p: f"{p.length_ratio:.2f} ({p.length_ratio_sd:.2f})")),
+    _Column("mean m off path (SD)", _off_path, _off_path_rank),
+    _Column("largest", lambda s: _metres(s.path_distance_max)),
     _Column("ms per plan", lambda s: _time(s.time_mean), lambda s: s.time_mean),
     _Column("paper: ms", _paper(lambda p: "–" if p.time_plan is None else f"{p.time_plan:g}")),
     _Column("median ms", lambda s: _time(s.time_median)),
@@ -157,6 +174,11 @@ _COLUMNS = (
     _Column("waypoints dropped (wrongly, at 0.5 m)", _dropped),
     _Column("collisions", lambda s: str(s.collisions)),
     _Column("smallest clearance [m]", lambda s: _spread(Spread(s.min_clearance, math.nan))),
+)
+
+_OFF_PATH = (
+    "Off path: horizontal distance of what was flown from the global path, its mean over the "
+    "length flown, and the largest of the same flights."
 )
 
 #: Columns of the brief table, their short titles, and the paper's columns below them.
@@ -190,6 +212,9 @@ _CSV_COLUMNS: dict[str, Callable[[Summary], object]] = {
     "length_ratio_sd": lambda s: s.length_ratio.sd,
     "paper_length_ratio": lambda s: s.paper and s.paper.length_ratio,
     "paper_length_ratio_sd": lambda s: s.paper and s.paper.length_ratio_sd,
+    "path_distance_mean": lambda s: s.path_distance and s.path_distance.mean,
+    "path_distance_sd": lambda s: s.path_distance and s.path_distance.sd,
+    "path_distance_max": lambda s: s.path_distance_max,
     "flights": lambda s: s.flights,
     "completed": lambda s: s.completed,
     "common": lambda s: s.common,

@@ -85,6 +85,17 @@ def test_flights_are_paired_by_scenario() -> None:
     assert "| 3 : 0 | 1, 0 |" in text
 
 
+def test_distances_from_the_global_path_are_compared_where_all_have_them() -> None:
+    rows = [flight("lp-dijkstra", i, path_distance_mean=5.0 + i) for i in range(3)]
+    rows += [flight("sweep", i, path_distance_mean=3.0) for i in range(3)]
+    (found,) = compare_all(rows, ["lp-dijkstra", "sweep"], 2.0, ["binary"])
+    assert found.differences["path_distance_mean"].mean == pytest.approx(-3.0)
+    rows[-1] = flight("sweep", 2)  # of an older file
+    (found,) = compare_all(rows, ["lp-dijkstra", "sweep"], 2.0, ["binary"])
+    assert math.isnan(found.differences["path_distance_mean"].mean)
+    assert found.pairs == 3 and "| – | 0 : 0 |" in markdown_comparisons([found])
+
+
 def test_what_cannot_be_paired_is_said() -> None:
     rows = [flight("lp-dijkstra", 0), flight("sweep", 1), flight("ggwp", 0, outcome="timed_out")]
     with pytest.raises(ValueError, match="no flights of bezier"):

@@ -197,6 +197,7 @@ def test_time_statistics() -> None:
 def test_a_row_holds_what_the_record_says() -> None:
     drop = event(0, "dropped", "unreachable", goal=(180.0, 80.0, 40.0), position=(20.0, 80.0, 40.0))
     flight = record([drop, event(1)], seconds=(0.001, 0.003))
+    flight.reason = "2 of 3"
     scenario = Scenario(4, 9, flight.global_path, crosses_building=True)
     judge = DropJudge(courtyard(), flight.config)
     row = flight_row(flight, scenario, "abc", 1.5, judge)
@@ -206,6 +207,8 @@ def test_a_row_holds_what_the_record_says() -> None:
     assert row.wrongly_dropped_fine == 1
     assert (row.outcome, row.collided, row.plans, row.expanded) == ("reached", False, 2, 14)
     assert row.length_ratio == pytest.approx(60.0 / 50.0)
+    assert row.path_distance_mean == row.path_distance_max == 0.0  # along the global path itself
+    assert row.reason == "2 of 3"
     assert row.plan_times == [1.0, 3.0]
     assert (row.time_plan_mean, row.time_plan_median, row.time_flight) == (2.0, 2.0, 1.5)
     unplanned = flight_row(record(seconds=()), scenario, "abc", 1.5, judge)

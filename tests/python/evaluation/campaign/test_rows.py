@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Rows of flights as a CSV: out and in to the last bit, older files too, damage told by line."""
 
+import csv
 from pathlib import Path
 
 import pytest
@@ -68,6 +69,20 @@ def test_a_csv_from_before_refinement_was_flown_without(tmp_path: Path) -> None:
     assert [line[column] for line in table[1:]] == ["no", "yes"]
     path.write_text("".join(",".join(x[:column] + x[column + 1 :]) + "\n" for x in table[:2]))
     assert read_rows(path) == [row()]
+
+
+def test_a_csv_from_before_the_distance_and_the_reason_is_read(tmp_path: Path) -> None:
+    path = tmp_path / "flights.csv"
+    write_rows(path, [row(reason="", path_distance_mean=1.5, path_distance_max=4.0)])
+    assert read_rows(path)[0].path_distance_max == 4.0
+    newer = ("reason", "path_distance_mean", "path_distance_max")
+    lines = list(csv.DictReader(path.read_text().splitlines()))
+    with path.open("w", newline="") as file:
+        table = csv.DictWriter(file, [name for name in lines[0] if name not in newer])
+        table.writeheader()
+        table.writerow({name: lines[0][name] for name in table.fieldnames})
+    assert read_rows(path) == [row()]
+    assert (row().reason, row().path_distance_mean) == ("", None)
 
 
 @pytest.mark.parametrize(

@@ -100,6 +100,20 @@ def test_drops_are_judged_twice_where_they_were() -> None:
     assert "| 3 (2, –) |" in markdown_table([summary])
 
 
+def test_the_distance_from_the_global_path_is_told_where_it_was_measured() -> None:
+    rows = flights(DIJKSTRA, [0.5], path_distance_mean=7.0, path_distance_max=40.0)
+    rows += flights(DIJKSTRA, [0.5], seed=2, path_distance_mean=9.0, path_distance_max=31.0)
+    (summary,) = summarise([DIJKSTRA], rows)
+    assert "| 8.0 (1.4) | 40 |" in markdown_table([summary])
+    (line,) = csv.DictReader(io.StringIO(csv_table([summary])))
+    assert (line["path_distance_mean"], line["path_distance_max"]) == ("8.0", "40.0")
+    (older,) = summarise([DIJKSTRA], [*rows, *flights(DIJKSTRA, [0.5], seed=3)])
+    assert older.path_distance is None and older.path_distance_max is None
+    assert "| – | – |" in markdown_table([older])
+    (line,) = csv.DictReader(io.StringIO(csv_table([older])))
+    assert line["path_distance_mean"] == line["path_distance_max"] == ""
+
+
 def test_the_papers_numbers_stand_beside_ours() -> None:
     assert set(PAPER) == set(TABLES)
     assert PAPER[DIJKSTRA].mean_priority / PAPER[TABLE_I[0]].mean_priority == pytest.approx(
@@ -130,7 +144,7 @@ def test_the_best_values_are_marked() -> None:
     rows += flights(TABLE_I[6], [0.4], length_ratio=1.054, time_plans="3")
     text = markdown_table(summarise([TABLE_I[i] for i in (0, 1, 6)], rows))
     assert re.findall(r"\*\*(.*?)\*\*", text) == ["1.05", "0.80", "1.05", "3.00"]
-    assert {line.count("|") for line in text.splitlines()} - {0} == {16}
+    assert {line.count("|") for line in text.splitlines()} - {0} == {18}
     alone = markdown_table(summarise([TABLE_I[0]], rows))
     assert "**" not in alone  # nothing to compare with
 
