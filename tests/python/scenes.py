@@ -11,6 +11,7 @@ from ltp.config import MissionConfig
 from ltp.evaluation.campaign import FlightRow
 from ltp.evaluation.campaign.variants import at_ratio
 from ltp.evaluation.gap.queries import QuerySet, RecordedQuery
+from ltp.evaluation.regret import RegretRow
 from ltp.evaluation.sensed import CellMap
 from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WaypointEntry
 from ltp.world import LandClass, World
@@ -147,6 +148,40 @@ def row(**changes):
         "time_flight": 0.5,
     }
     return FlightRow(**(values | changes))
+
+
+def regret_row(**changes):
+    """A flight held against the best routes."""
+    values = {
+        "key": "k",
+        "world": "boxes",
+        "planner": "auto",
+        "length_weight": 0.5,
+        "priority_weight": 1.0,
+        "priority_map": "binary",
+        "refine": False,
+        "scenario": 0,
+        "seed": 1,
+        "outcome": "reached",
+        "waypoints": 10,
+        "served": 9,
+        "gate": 2.8,
+        "last_gate": 2.8,
+        "global_length": 500.0,
+        "flown": 0.1,
+        "flown_length": 600.0,
+        "flown_priority": 0.5,
+        "legs": 0.0,
+        "legs_length": 550.0,
+        "legs_priority": 0.55,
+        "joint": -0.1,
+        "joint_length": 550.0,
+        "joint_priority": 0.65,
+        "joint_bound": -0.101,
+        "time_legs": 1.0,
+        "time_joint": 1.0,
+    }
+    return RegretRow(**(values | changes))
 
 
 def flight(planner: str, scenario: int, ratio: float = 2.0, kind: str = "binary", **values):

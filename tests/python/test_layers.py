@@ -51,7 +51,7 @@ PYTHON_FLOORS = [
     {"__main__"},
 ]
 # Inside evaluation; a file outside of the folders belongs to all of them.
-EVALUATION_FLOORS = [{"shared"}, {"campaign", "gap"}, {"figures"}, {"__init__"}]
+EVALUATION_FLOORS = [{"shared"}, {"campaign", "gap"}, {"regret"}, {"figures"}, {"__init__"}]
 
 
 class Use(NamedTuple):

@@ -16,6 +16,7 @@ from .inputs import numbers, open_config, open_world, planner_names, telling_old
 from .naming import naming
 from .options import Config, PictureFile, Planner, PriorityMap, ScenarioIndex, WorldArgument
 from .output import console, write_figure
+from .regret_figure import regret
 from .spread import spread
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 def register(app: typer.Typer) -> None:
     """Add the commands."""
     group = make_group("figure", "Draw the figures.")
-    for command in (paths, sweep, scenarios, sensing, traps, summary, front, gap, curve):
+    for command in (paths, sweep, scenarios, sensing, traps, summary, front, gap, curve, regret):
         group.command(command.__name__)(command)
     app.add_typer(group)
 

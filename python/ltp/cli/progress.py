@@ -18,6 +18,7 @@ from rich.progress import (
 if TYPE_CHECKING:
     from ltp.evaluation.campaign.rows import FlightRow
     from ltp.evaluation.gap.rows import GapRow
+    from ltp.evaluation.regret.rows import RegretRow
     from ltp.sim import FlightRecord, MissionSetup, Step
 
 
@@ -40,7 +41,7 @@ class _CountedProgress:
         self._task = self._bar.add_task(what, total=None, note="")
 
     def on_start(self, total: int, done: int) -> None:
-        """See `CampaignObserver`, `GapObserver`."""
+        """See `CampaignObserver`, `GapObserver`, `RegretObserver`."""
         if done:
             self._console.print(f"{done} of {total} {self._before}")
         self._bar.start()
@@ -48,7 +49,7 @@ class _CountedProgress:
         self._bar.reset(self._task, total=total - done, visible=total > done)
 
     def on_end(self) -> None:
-        """See `CampaignObserver`, `GapObserver`."""
+        """See `CampaignObserver`, `GapObserver`, `RegretObserver`."""
         self._bar.stop()
 
     def _advance(self, note: str) -> None:
@@ -81,6 +82,17 @@ class GapProgress(_CountedProgress):
     def on_plan(self, row: "GapRow") -> None:
         """See `GapObserver`."""
         self._advance(f"{row.planner}, {row.priority_map}, {row.band}, {row.ratio:g}")
+
+
+class RegretProgress(_CountedProgress):
+    """A bar over the flights that are held against the best routes."""
+
+    def __init__(self, console: Console) -> None:
+        super().__init__(console, "regrets", "judged")
+
+    def on_regret(self, row: "RegretRow") -> None:
+        """See `RegretObserver`."""
+        self._advance(f"{row.planner}, {row.priority_map}")
 
 
 class FlightProgress:

@@ -12,10 +12,11 @@ What the words mean, everywhere in here:
 * `Flight` (campaign): a variant over a scenario, to be flown; `FlightRow` is what became of it.
 * `FlownVariant` (campaign): a variant with the rows of its flights, by scenario.
 * `Case` (gap): what all contenders of one table share: priority map, band, ratio.
+* `RegretRow` (regret): a flight against the best routes that one finds knowing all obstacles.
 * `RecordedQuery` (gap): one question asked in flight; `GapRow` is a contender's answer to it.
 
-Folders: `campaign` flies closed loop, `gap` asks open loop; neither knows the other. `figures`
-draws what both give.
+Folders: `campaign` flies closed loop, `gap` asks open loop; neither knows the other. `regret`
+judges a campaign's flights. `figures` draws what all of them give.
 """
 
 from .campaign import (

@@ -112,6 +112,7 @@ def test_the_global_paths_are_the_same_options_in_the_same_order_everywhere() ->
         "ltp fly",
         "ltp evaluate",
         "ltp gap",
+        "ltp regret",
         *(f"ltp figure {kind}" for kind in ("paths", "scenarios", "sensing", "summary")),
     }
     assert all(found == users["ltp fly"] for found in users.values())

@@ -18,7 +18,7 @@ def connected(free: NDArray[np.bool_], start: NDArray[np.int64], goal: NDArray[n
     ends = [int(np.ravel_multi_index(tuple(end + 1), free.shape)) for end in (start, goal)]
     if ends[0] == ends[1]:
         return True
-    steps = _step_boxes(free.shape)
+    steps = step_boxes(free.shape)
     reached = np.zeros(cells.shape, dtype=np.uint8)
     reached[ends] = (1, 2)
     fronts = [np.array([end]) for end in ends]
@@ -41,8 +41,9 @@ def connected(free: NDArray[np.bool_], start: NDArray[np.int64], goal: NDArray[n
     return False
 
 
-def _step_boxes(shape: tuple[int, ...]) -> list[tuple[int, list[int]]]:
-    """For each of the 26 steps: its offset in a flat array, and those of its bounding box."""
+def step_boxes(shape: tuple[int, ...]) -> list[tuple[int, list[int]]]:
+    """For each of the 26 steps (8 through one level): its offset in a flat array of cells with one
+    blocked cell all round, and the offsets of the other cells of its bounding box."""
     strides = (shape[1] * shape[2], shape[2], 1)
     steps = []
     climbs = (0,) if shape[2] == 3 else (-1, 0, 1)  # one level between the blocked ones

@@ -11,43 +11,31 @@ from numpy.typing import ArrayLike, NDArray
 from ltp.world import World
 
 from .flood import connected
+from .true_grid import free_levels, true_grid
 
 if TYPE_CHECKING:
     from ltp._core import ObstacleMapOptions
 
-_RING = 2  # free cells kept round the world and above it: one may fly round its edge
 _MOST_WAYS_OUT = 500  # nearest free cells tried from a blocked one: some 20 m round it
 
 
 class TrueCells:
     """The cells of a mission's lattice that a perfect and complete sensor would block.
 
-    The cells are those that hold any of the world's solid, inflated as the mission's map is, over
-    the whole world and a free ring round it. Nothing of the planners is used: this is their judge.
+    The cells are those of `true_grid`. Nothing of the planners is used: this is their judge.
 
     Args:
         world: what stands where.
-        mapping: the mission's map options: edges of a cell, inflation radius. The lattice passes
-            through the world's origin, as the map's does.
+        mapping: the mission's map options: edges of a cell, inflation radius.
     """
 
     def __init__(self, world: World, mapping: "ObstacleMapOptions") -> None:
-        from ltp._core import GridFrame, HeightSurface, inflate
+        from ltp._core import HeightSurface
 
-        self._cell = np.array(mapping.cell, dtype=np.float64)
-        inflation_radius = mapping.inflation_radius
-        x0, y0, x1, y1 = world.extent
-        reach = inflation_radius + self._cell * (1 + _RING)
-        low = np.array([x0, y0, world.ground.min()]) - reach * (1.0, 1.0, 0.0)
-        high = np.array([x1, y1, world.surface.max()]) + reach
-        first, last = np.floor(low / self._cell), np.ceil(high / self._cell)
-        self._origin = first * self._cell
-        dims = [int(n) for n in last - first]
-        frame = GridFrame(self._origin, self._cell, dims)
+        self._grid = true_grid(world, mapping)
+        frame = self._grid.frame
+        self._cell, self._origin, self._dims = frame.cell, frame.origin, frame.dims
         self._surface = HeightSurface(world.surface_raster())
-        occupied = self._surface.occupancy(frame)
-        self._columns = inflate(occupied, inflation_radius).columns  # (nx, ny, words) uint64
-        self._dims = dims
         self._free: dict[tuple[int, int], NDArray[np.bool_]] = {}
 
     def on_lattice(self, corner: ArrayLike) -> bool:
@@ -102,11 +90,5 @@ class TrueCells:
     def _levels(self, low: int, high: int) -> NDArray[np.bool_]:
         """Free cells of the levels low...high, with one blocked cell all round."""
         if (low, high) not in self._free:
-            shape = (self._dims[0] + 2, self._dims[1] + 2, high - low + 3)
-            free = np.zeros(shape, dtype=np.bool_)
-            for level in range(low, high + 1):
-                word, bit = divmod(level, 64)
-                blocked = self._columns[:, :, word] >> np.uint64(bit) & np.uint64(1)
-                free[1:-1, 1:-1, level - low + 1] = blocked == 0
-            self._free[low, high] = free
+            self._free[low, high] = free_levels(self._grid, low, high)
         return self._free[low, high]
