@@ -173,13 +173,13 @@ TITLES = (
 
 
 def interval_text(interval: Interval) -> str:
-    """Mean and ends, signed; a dash where there is none."""
+    """Mean and ends, signed; a dash where there is no mean, no ends of a single value."""
     if math.isnan(interval.mean):
         return "–"
     mean, low, high = (
         f"{value:+.3f}".replace("-", "−") for value in (interval.mean, interval.low, interval.high)
     )
-    return f"{mean} [{low}, {high}]"
+    return mean if math.isnan(interval.low) else f"{mean} [{low}, {high}]"
 
 
 def markdown_comparisons(comparisons: Sequence[Comparison]) -> str:

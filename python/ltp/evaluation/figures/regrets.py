@@ -67,6 +67,7 @@ def regret_figure(rows: Sequence[RegretRow], attribution: str) -> "Figure":
         axes.grid(axis="x", color="#e6e8ec", lw=0.8)
         axes.set_axisbelow(True)
         plain_axes(axes)
+        axes.tick_params(axis="y", length=0)
     title = "What one could have flown knowing all obstacles"
     note = "Eq. 5, lower is better; the same waypoints served; bars: 95 % interval of the mean"
     caption(figure, title, f"{rows[0].world}  ·  {note}", attribution)

@@ -12,10 +12,11 @@ from .graph import Cells, Costs, LegGraph
 
 
 class _Layer(NamedTuple):
-    """One leg's search: where it began at what costs, and the least costs of all cells."""
+    """One leg's search: where it began at what costs, and the least costs of what it reached."""
 
     sources: dict[int, float]
-    best: Costs
+    reached: Cells
+    costs: Costs
 
 
 class GatedLegs:
@@ -47,7 +48,9 @@ class GatedLegs:
         layers: list[_Layer] = []
         for number, graph in enumerate(self._graphs):
             best = graph.spread(cells, costs, alpha, until=self._gates[number])
-            layers.append(_Layer(dict(zip(cells.tolist(), costs.tolist(), strict=True)), best))
+            sources = dict(zip(cells.tolist(), costs.tolist(), strict=True))
+            reached = np.flatnonzero(np.isfinite(best))
+            layers.append(_Layer(sources, reached, best[reached]))
             gate = self._gates[number]
             gate = gate[np.isfinite(best[gate])]
             if not len(gate):
@@ -62,7 +65,9 @@ class GatedLegs:
         parts = []
         for number in reversed(range(len(layers))):
             graph = self._graphs[number]
-            way = graph.trace(layers[number].best, layers[number].sources, end, alpha)
+            best = np.full(graph.free.shape, np.inf)
+            best[layers[number].reached] = layers[number].costs
+            way = graph.trace(best, layers[number].sources, end, alpha)
             # A gate's vertex of one leg may lie above or below that of the next: the step from the
             # former stays in the same cells, which is all that makes it legal.
             parts.append(graph.vertices(way[1:] if number else way))

@@ -78,7 +78,7 @@ class LegGraph:
         self._z = np.clip(middles, space.lowest, space.highest)
         steps = step_boxes(self.shape)
         self._offsets = np.array([offset for offset, _ in steps])
-        self._legal = np.array([self._step_legal(box) for _, box in steps])  # (steps, cells)
+        self._legal = self._legal_steps([box for _, box in steps])  # (cells,), a bit a step
         self._lengths = self._step_lengths()  # (steps, levels)
         self._columns = columns
         x, y = (
@@ -183,7 +183,8 @@ class LegGraph:
 
     def _all_steps(self, cells: Cells) -> tuple[Cells, Cells, Cells]:
         """Every legal step from cells: where from, where to, which."""
-        steps, places = np.nonzero(self._legal[:, cells])
+        numbers = np.arange(len(self._offsets), dtype=np.uint32)[:, None]
+        steps, places = np.nonzero(self._legal[cells] >> numbers & 1)
         begins = cells[places]
         return begins, begins + self._offsets[steps], steps
 
@@ -193,12 +194,15 @@ class LegGraph:
         halves = self._priority[begins // depth] + self._priority[ends // depth]
         return np.asarray(self._lengths[steps, begins % depth] * (alpha - 0.5 * halves))
 
-    def _step_legal(self, box: list[int]) -> NDArray[np.bool_]:
-        """Where a step may begin: every cell of its bounding box is free."""
-        legal = self.free.copy()
-        for offset in box:
-            legal &= np.roll(self.free, -offset)
-        return legal
+    def _legal_steps(self, boxes: list[list[int]]) -> NDArray[np.uint32]:
+        """Which steps may begin in a cell: every cell of their bounding box is free."""
+        bits = np.zeros(self.free.shape, dtype=np.uint32)
+        for number, box in enumerate(boxes):
+            legal = self.free.copy()
+            for offset in box:
+                legal &= np.roll(self.free, -offset)
+            bits |= legal.astype(np.uint32) << np.uint32(number)
+        return bits
 
     def _step_lengths(self) -> NDArray[np.float64]:
         """Vertices need not lie at the middle of their level, where the altitudes end in it."""

@@ -55,8 +55,9 @@ def best_route(
 
     Eq. 5 is linearised at a route, which makes it the sum of (alpha - p) dl, as in the planner
     `sweep`. Every search proves P <= alpha L - C for all routes, so that the next slope is that of
-    Eq. 5 where these leave most room, or at the best route; it ends where they leave less than
-    0.001. What is inside the hull of all (L, P) may be better than the route, never than the bound.
+    Eq. 5 where these leave most room, else at the best route, else between the routes found beside
+    that room; it ends where they leave less than 0.001. What is inside the hull of all (L, P) may
+    be better than the route, never than the bound.
 
     Args:
         search: see `Search`; alpha is above `best_priority`, or 1 where W_P = 0.
@@ -78,6 +79,7 @@ def best_route(
     lines = [_Line(best_priority, 0.0)]
     best: Route | None = None
     value, bound = math.inf, -math.inf
+    found: list[tuple[float, float]] = []
     alphas = [_SHORTEST]
     while alphas and len(lines) <= _SEARCHES:
         route = search(alphas[0])
@@ -92,9 +94,20 @@ def best_route(
             break
         points = ((length, priority), (best.tally.length, best.tally.priority))
         slopes = [p / along + along / direct * ratio for along, p in points]
+        found.append((route.tally.length, route.tally.priority))
+        slopes += _chord(found, length)
         slopes = [max(slope, best_priority + _LEAST_COST) for slope in slopes]
         alphas = [s for s in slopes if min(abs(s - line.slope) for line in lines[1:]) > _APART]
     return None if best is None else Best(best, min(bound, value))
+
+
+def _chord(found: Sequence[tuple[float, float]], length: float) -> list[float]:
+    """The slope between the nearest (L, P) found on either side of a length; none outside."""
+    shorter = max((point for point in found if point[0] < length), default=None)
+    longer = min((point for point in found if point[0] > length), default=None)
+    if shorter is None or longer is None:
+        return []
+    return [(longer[1] - shorter[1]) / (longer[0] - shorter[0])]
 
 
 def _least(
