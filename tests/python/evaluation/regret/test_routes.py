@@ -107,6 +107,49 @@ def test_no_route_that_planners_fly_through_the_gates_is_below_the_bound(
     assert flown >= best.bound - 1e-9
 
 
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("band", [(0.0, 0.0), (1.0, 3.0), (np.inf, np.inf)])
+def test_routes_keep_to_the_altitudes_of_their_legs(seed: int, band: tuple[float, float]) -> None:
+    rng = np.random.default_rng(seed)
+    blocked = rng.random(FRAME.dims) < 0.15
+    ways = points((2, 3), (14, 18), (20, 6), (27, 20))
+    ways[:, 2] = (5.0, 9.5, 6.5, 6.5)  # vertices lie at the altitudes where the band ends
+    for i, j in ((2, 3), (14, 18), (20, 6), (27, 20)):
+        blocked[i - 1 : i + 2, j - 1 : j + 2] = False
+    grid = core.OccupancyGrid.from_array(blocked, FRAME)
+    priority = core.Raster(rng.random((30, 24)), cell=2.0)
+    weights, radii = Weights.at_ratio(2.0).of_core, np.full(3, 3.0)
+    known = KnownGround(grid, priority, band, weights)
+    direct = float(core.path_length(ways))
+    best = known.joint(ways[0], ways[1:], radii, direct)
+    legs = known.leg_by_leg(ways[0], ways[1:], radii)
+    assert best is not None and legs is not None
+    for route in (best.route, legs):
+        assert grid.first_blocked(route.path) is None
+        low, high = ways[:, 2].min() - band[0], ways[:, 2].max() + band[1]
+        assert route.path[:, 2].min() >= low - 1e-9 and route.path[:, 2].max() <= high + 1e-9
+        served = 0  # in order
+        for point in route.path:
+            if np.linalg.norm((point - ways[served + 1])[:2]) <= 3.0:
+                served += 1
+                if served == 3:
+                    break
+        assert served == 3
+        # The search knows the route's cost, but for a gate's vertex that two legs see apart.
+        alpha = 1.3
+        found = GatedLegs(*_legs(known, ways, radii), ways[0]).least(alpha)
+        assert found is not None
+        along = core.tally(found[0], priority)
+        assert alpha * along.length - along.priority == pytest.approx(found[1], abs=2.0)
+
+
+def _legs(known: KnownGround, ways: np.ndarray, radii: np.ndarray) -> tuple[list, list]:
+    heights = itertools.pairwise(float(z) for z in ways[:, 2])
+    graphs = [known._graph(ends) for ends in heights]
+    legs = zip(graphs, ways[1:], radii, strict=True)
+    return graphs, [graph.gate(waypoint, float(radius)) for graph, waypoint, radius in legs]
+
+
 def test_a_waypoint_behind_walls_leaves_no_route() -> None:
     blocked = np.zeros(FRAME.dims, dtype=bool)
     blocked[10] = True
