@@ -14,7 +14,9 @@ from .graph import Cells, Costs, LegGraph
 class _Layer(NamedTuple):
     """One leg's search: where it began at what costs, and the least costs of what it reached."""
 
-    sources: dict[int, float]
+    sources: Cells  # sorted
+    source_costs: Costs
+    origins: Cells  # of each source: the cell of the gate before, in the graph before
     reached: Cells
     costs: Costs
 
@@ -44,33 +46,46 @@ class GatedLegs:
         Args:
             alpha: above the largest priority.
         """
-        cells, costs = self._graphs[0].from_point(self._start, alpha)
         layers: list[_Layer] = []
         for number, graph in enumerate(self._graphs):
-            best = graph.spread(cells, costs, alpha, until=self._gates[number])
-            sources = dict(zip(cells.tolist(), costs.tolist(), strict=True))
-            reached = np.flatnonzero(np.isfinite(best))
-            layers.append(_Layer(sources, reached, best[reached]))
             gate = self._gates[number]
+            sources, costs, origins = self._sources(number, layers, alpha)
+            best = graph.spread(sources, costs, alpha, until=gate)
             gate = gate[np.isfinite(best[gate])]
             if not len(gate):
                 return None
             self._gates[number] = gate  # what no way leads to need not be waited for again
-            if number + 1 < len(self._graphs):
-                cells, costs = self._graphs[number + 1].same_cells(gate, graph), best[gate]
+            reached = np.flatnonzero(np.isfinite(best))
+            layers.append(_Layer(sources, costs, origins, reached, best[reached]))
         end = int(gate[np.argmin(best[gate])])
         return self._path(layers, end, alpha), float(best[end])
 
+    def _sources(
+        self, number: int, layers: Sequence[_Layer], alpha: float
+    ) -> tuple[Cells, Costs, Cells]:
+        """Where a leg's search begins, at what costs, and the gate's cells that these come from."""
+        graph = self._graphs[number]
+        if number == 0:
+            cells, costs = graph.from_point(self._start, alpha)
+            order = np.argsort(cells)
+            return cells[order], costs[order], cells[order]
+        before, gate = self._graphs[number - 1], self._gates[number - 1]
+        last = layers[-1]
+        so_far = last.costs[np.searchsorted(last.reached, gate)]
+        cells, costs, places = graph.from_gate(
+            graph.same_cells(gate, before), before.vertices(gate), so_far, alpha
+        )
+        return cells, costs, gate[places]
+
     def _path(self, layers: Sequence[_Layer], end: int, alpha: float) -> NDArray[np.float64]:
         parts = []
-        for number in reversed(range(len(layers))):
-            graph = self._graphs[number]
+        for graph, layer in zip(reversed(self._graphs), reversed(layers), strict=True):
             best = np.full(graph.free.shape, np.inf)
-            best[layers[number].reached] = layers[number].costs
-            way = graph.trace(best, layers[number].sources, end, alpha)
-            # A gate's vertex of one leg may lie above or below that of the next: the step from the
-            # former stays in the same cells, which is all that makes it legal.
-            parts.append(graph.vertices(way[1:] if number else way))
-            if number:
-                end = int(self._graphs[number - 1].same_cells(way[:1], graph)[0])
-        return np.concatenate([self._start[None], *reversed(parts)])
+            best[layer.reached] = layer.costs
+            sources = dict(zip(layer.sources.tolist(), layer.source_costs.tolist(), strict=True))
+            way = graph.trace(best, sources, end, alpha)
+            parts.append(graph.vertices(way))
+            end = int(layer.origins[np.searchsorted(layer.sources, way[0])])
+        path = np.concatenate([self._start[None], *reversed(parts)])
+        moved = np.any(np.diff(path, axis=0) != 0.0, axis=1)
+        return np.asarray(path[np.append(True, moved)])

@@ -141,6 +141,31 @@ class LegGraph:
         steps = [tally(np.array([start, end]), self._columns) for end in self.vertices(cells)]
         return cells, np.array([alpha * step.length - step.priority for step in steps])
 
+    def from_gate(
+        self, cells: Cells, points: NDArray[np.float64], costs: Costs, alpha: float
+    ) -> tuple[Cells, Costs, Cells]:
+        """Where the first steps from a gate lead, at what least costs, and from which of its cells.
+
+        The gate's vertices may lie at other altitudes in the leg before: the first step begins
+        there, or leads up or down to this leg's vertex of the same cell.
+
+        Args:
+            cells: of the gate, their numbers here.
+            points: (n, 3), their vertices in the leg before [m].
+            costs: so far.
+            alpha: above the largest priority.
+        """
+        depth = self.shape[2]
+        places, ends, _ = self._all_steps(cells)
+        places = np.concatenate([places, np.arange(len(cells))])
+        ends = np.concatenate([ends, cells])
+        lengths = np.linalg.norm(self.vertices(ends) - points[places], axis=1)
+        halves = self._priority[cells[places] // depth] + self._priority[ends // depth]
+        values = costs[places] + lengths * (alpha - 0.5 * halves)
+        order = np.argsort(values, kind="stable")
+        ends, first = np.unique(ends[order], return_index=True)
+        return ends, values[order][first], places[order][first]
+
     def spread(self, cells: Cells, costs: Costs, alpha: float, until: Cells) -> Costs:
         """The least cost at every cell, (number of cells,): sum of (alpha - p) dl from any of
         `cells`, which begin with `costs`; inf where none leads.
@@ -159,7 +184,8 @@ class LegGraph:
                 break
             turn = best[waiting] < least + width
             front, waiting = waiting[turn], waiting[~turn]
-            begins, ends, steps = self._all_steps(front)
+            of, ends, steps = self._all_steps(front)
+            begins = front[of]
             values = best[begins] + self._cost(begins, ends, steps, alpha)
             better = values < best[ends] - 1e-12
             ends, values = ends[better], values[better]
@@ -176,17 +202,17 @@ class LegGraph:
         """The cells of a least path, from a source to `end`."""
         cells = [end]
         while not sources.get(cells[-1], math.inf) <= best[cells[-1]] + 1e-9:
-            begins, ends, steps = self._all_steps(np.array([cells[-1]]))
-            values = best[ends] + self._cost(begins, ends, steps, alpha)
+            here = np.array([cells[-1]])
+            places, ends, steps = self._all_steps(here)
+            values = best[ends] + self._cost(here[places], ends, steps, alpha)
             cells.append(int(ends[np.argmin(values)]))
         return np.array(cells[::-1])
 
     def _all_steps(self, cells: Cells) -> tuple[Cells, Cells, Cells]:
-        """Every legal step from cells: where from, where to, which."""
+        """Every legal step from cells: from which of them, where to, which step."""
         numbers = np.arange(len(self._offsets), dtype=np.uint32)[:, None]
         steps, places = np.nonzero(self._legal[cells] >> numbers & 1)
-        begins = cells[places]
-        return begins, begins + self._offsets[steps], steps
+        return places, cells[places] + self._offsets[steps], steps
 
     def _cost(self, begins: Cells, ends: Cells, steps: Cells, alpha: float) -> Costs:
         """Half of a step lies in either cell: a diagonal crosses where they touch."""

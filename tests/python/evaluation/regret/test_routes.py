@@ -135,12 +135,12 @@ def test_routes_keep_to_the_altitudes_of_their_legs(seed: int, band: tuple[float
                 if served == 3:
                     break
         assert served == 3
-        # The search knows the route's cost, but for a gate's vertex that two legs see apart.
+        # The search knows the route's cost, also where two legs see a gate's vertex apart.
         alpha = 1.3
         found = GatedLegs(*_legs(known, ways, radii), ways[0]).least(alpha)
         assert found is not None
         along = core.tally(found[0], priority)
-        assert alpha * along.length - along.priority == pytest.approx(found[1], abs=2.0)
+        assert alpha * along.length - along.priority == pytest.approx(found[1])
 
 
 def _legs(known: KnownGround, ways: np.ndarray, radii: np.ndarray) -> tuple[list, list]:
