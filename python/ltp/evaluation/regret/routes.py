@@ -50,8 +50,8 @@ class KnownGround:
     ) -> Route | None:
         """Each leg the best by its own Eq. 5, from where the one before it ended.
 
-        This is the most that planning to one waypoint at a time can do. The sum of such legs need
-        not have the least Eq. 5 of all routes. None if a leg has no way.
+        This is what a planner does that plans to one waypoint at a time, knows all and finds the
+        best. Such legs together need not have the least Eq. 5. None if a leg has no way.
 
         Args:
             start: (3,) [m].
