@@ -17,10 +17,11 @@ from ltp.evaluation.campaign.campaign import FlightJournal
 from ltp.evaluation.campaign.rows import read_rows, write_rows
 from ltp.evaluation.gap.queries import QuerySet, RecordedQuery
 from ltp.evaluation.gap.rows import PLANS, GapRow, read_gaps
+from ltp.evaluation.regret.rows import REGRETS, read_regrets
 from ltp.evaluation.sensed import CellMap
 from ltp.sim import FlightRecord
 from ltp.world import World, boxes, read_priority, save_priority
-from tests.python.scenes import event, record, row
+from tests.python.scenes import event, record, regret_row, row
 
 
 @dataclass(frozen=True)
@@ -184,6 +185,7 @@ READERS = (
     Reader("journal.jsonl", _read_journal, _journal),
     Reader("flights.csv", read_rows, lambda path: write_rows(path, [row(), row(key="k1")])),
     Reader("gaps.csv", read_gaps, _gaps),
+    Reader("regret.csv", read_regrets, lambda path: REGRETS.write(path, [regret_row()])),
     Reader("city.tif", _read_geotiff, _geotiff, ("rasterio", "scipy")),
     Reader("city.las", _read_las, _las, ("laspy", "pyproj", "scipy")),
     Reader("city.laz", _read_las, _las, ("laspy", "lazrs", "pyproj", "scipy")),
