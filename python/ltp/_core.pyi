@@ -300,7 +300,9 @@ class HeightSurface(Surface):
         ...
 class OctreeSurface(Surface):
     """
-    The occupied voxels of an OctoMap octree; rays are walked exactly.
+    The occupied voxels of an OctoMap octree, as bricks of bits; rays are walked exactly. The
+    bounding box may have any size; ValueError if voxels lie so scattered that they would take
+    more than 1 GiB.
     """
     @typing.overload
     def __init__(self, path: os.PathLike | str | bytes) -> None:
@@ -315,6 +317,11 @@ class OctreeSurface(Surface):
     def __repr__(self) -> str:
         ...
     @property
+    def memory(self) -> int:
+        """
+        of the bricks and what is above them [bytes]
+        """
+    @property
     def resolution(self) -> float:
         """
         edge of a voxel [m]
@@ -327,7 +334,8 @@ class OctreeSurface(Surface):
     @property
     def voxels(self) -> OccupancyGrid:
         """
-        OccupancyGrid over their bounding box
+        OccupancyGrid over their bounding box, made when it is first asked for; ValueError if
+        the box has 2^31 voxels or more
         """
 class LidarPattern:
     """

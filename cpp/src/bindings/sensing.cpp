@@ -158,7 +158,10 @@ void bind_surfaces(py::module_& m) {
            "sensor\nwould map.");
 
   py::class_<ltp::OctreeSurface, ltp::Surface>(
-      m, "OctreeSurface", "The occupied voxels of an OctoMap octree; rays are walked exactly.")
+      m, "OctreeSurface",
+      "The occupied voxels of an OctoMap octree, as bricks of bits; rays are walked exactly. The\n"
+      "bounding box may have any size; ValueError if voxels lie so scattered that they would take\n"
+      "more than 1 GiB.")
       .def(py::init([](const std::filesystem::path& path) {
              return std::make_unique<ltp::OctreeSurface>(path.string());
            }),
@@ -168,9 +171,12 @@ void bind_surfaces(py::module_& m) {
            "Voxels of edge resolution [m], 1e-6 to 1e6, that hold points (N, 3) [m].")
       .def_property_readonly("resolution", &ltp::OctreeSurface::resolution, "edge of a voxel [m]")
       .def_property_readonly("size", &ltp::OctreeSurface::size, "occupied voxels")
+      .def_property_readonly("memory", &ltp::OctreeSurface::memory,
+                             "of the bricks and what is above them [bytes]")
       .def_property_readonly("voxels", &ltp::OctreeSurface::voxels,
                              py::return_value_policy::reference_internal,
-                             "OccupancyGrid over their bounding box");
+                             "OccupancyGrid over their bounding box, made when it is first asked "
+                             "for; ValueError if\nthe box has 2^31 voxels or more");
 }
 
 void bind_options(py::module_& m) {

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <mutex>
+#include <sstream>
 #include <stdexcept>
-#include <vector>
 
+#include "brick_walk.hpp"
 #include "ltp/geometry/check.hpp"
+#include "ltp/geometry/norm.hpp"
 #include "ltp/grid/ray_walk.hpp"
 
 namespace ltp {
@@ -24,15 +26,14 @@ void check_resolution(double resolution) {
   check::fail("resolution", resolution, "from 1e-6 to 1e6 m");
 }
 
-/// A cube of occupied voxels, counted on the lattice through the world's origin.
-struct Cube {
-  Cell low;
-  int edge;  ///< [voxels]
-};
+using sensing::BrickRays;
+using sensing::BrickStart;
+using sensing::VoxelBricks;
+using sensing::VoxelCube;
 
-std::vector<Cube> occupied_cubes(const OctreeLeaves& octree) {
+std::vector<VoxelCube> occupied_cubes(const OctreeLeaves& octree) {
   check_resolution(octree.resolution);
-  std::vector<Cube> cubes;
+  std::vector<VoxelCube> cubes;
   for (const OctreeLeaf& leaf : octree.leaves) {
     if (!leaf.occupied()) continue;
     const Point low = (leaf.centre.array() - 0.5 * leaf.size) / octree.resolution;
@@ -45,9 +46,9 @@ std::vector<Cube> occupied_cubes(const OctreeLeaves& octree) {
   return cubes;
 }
 
-std::vector<Cube> voxels_of(const PathRef& points, double resolution) {
+std::vector<VoxelCube> voxels_of(const PathRef& points, double resolution) {
   check_resolution(resolution);
-  std::vector<Cube> cubes;
+  std::vector<VoxelCube> cubes;
   cubes.reserve(points.rows());
   for (Eigen::Index n = 0; n < points.rows(); ++n) {
     const Point lattice = points.row(n).transpose() / resolution;
@@ -60,184 +61,179 @@ std::vector<Cube> voxels_of(const PathRef& points, double resolution) {
   return cubes;
 }
 
-/// Sets the bits of levels `low` to `high` of a column, both included.
-void set_levels(std::uint64_t* column, int low, int high) {
-  for (int word = low / 64; word <= high / 64; ++word) {
-    const int from = std::max(low - 64 * word, 0);
-    const int to = std::min(high - 64 * word, 63);
-    column[word] |= (~std::uint64_t{0} >> (63 - (to - from))) << from;
-  }
-}
+}  // namespace
 
-OccupancyGrid fill(const std::vector<Cube>& cubes, double resolution) {
-  const Point edges = Point::Constant(resolution);
-  if (cubes.empty()) return OccupancyGrid(GridFrame(Point::Zero(), edges, {1, 1, 1}));
-  Cell low = cubes.front().low;
-  Cell high = low;
-  for (const Cube& cube : cubes) {
-    low = low.cwiseMin(cube.low);
-    high = high.cwiseMax((cube.low.array() + cube.edge).matrix());
-  }
-  const Eigen::Matrix<std::int64_t, 3, 1> dims =
-      high.cast<std::int64_t>() - low.cast<std::int64_t>();
-  const double volume = dims.cast<double>().prod();
-  if (!(volume < 2147483648.0)) {
-    std::ostringstream text;
-    text << dims.x() << " x " << dims.y() << " x " << dims.z();
-    check::fail("octree's bounding box [voxels]", text.str(), "fewer than 2^31 voxels in all");
-  }
-  OccupancyGrid grid(GridFrame(
-      low.cast<double>() * resolution, edges,
-      {static_cast<int>(dims.x()), static_cast<int>(dims.y()), static_cast<int>(dims.z())}));
-  for (const Cube& cube : cubes) {
-    const Cell first = cube.low - low;
-    for (int ix = first.x(); ix < first.x() + cube.edge; ++ix) {
-      for (int iy = first.y(); iy < first.y() + cube.edge; ++iy) {
-        set_levels(grid.column(ix, iy), first.z(), first.z() + cube.edge - 1);
-      }
-    }
-  }
-  return grid;
-}
+struct OctreeSurface::Parts {
+  Parts(const std::vector<VoxelCube>& cubes, double voxel)
+      : bricks(cubes),
+        edge(voxel),
+        corner(bricks.low().cast<double>() * voxel),
+        size(bricks.count()) {}
 
-/// The point at `range` of a ray, moved into the voxel through the face by which the ray enters it.
-Point inside_voxel(const GridFrame& frame, const Cell& voxel, const Point& origin,
-                   const Point& direction, double range) {
-  const double edge = frame.cell().x();
-  const Point low = frame.origin() + voxel.cast<double>() * edge;
-  int face = -1;
-  double entered = 0.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (direction[axis] == 0.0) continue;
-    const double side = direction[axis] > 0.0 ? low[axis] : low[axis] + edge;
-    const double t = (side - origin[axis]) / direction[axis];
-    if (t >= entered) {
-      entered = t;
-      face = axis;
-    }
-  }
-  Point point = origin + range * direction;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double depth =
-        axis == face ? std::min(kHitDepth, 0.5 * edge) : std::min(kHitMargin, 0.25 * edge);
-    point[axis] = std::min(std::max(point[axis], low[axis] + depth), low[axis] + edge - depth);
-  }
-  return point;
-}
+  /// A point in voxels from the lowest corner of the bounding box.
+  Point lattice(const Point& point) const { return (point - corner) / edge; }
 
-double squared(double value) { return value * value; }
+  VoxelBricks bricks;
+  double edge;   ///< of a voxel [m]
+  Point corner;  ///< lowest one of the bounding box [m]
+  std::int64_t size;
+  std::once_flag once;
+  std::optional<OccupancyGrid> grid;
+};
 
-/// From a coordinate to the interval [index, index + 1].
-double gap(double at, int index) { return std::max({index - at, at - (index + 1.0), 0.0}); }
+OctreeSurface::OctreeSurface(const OctreeLeaves& octree)
+    : parts_(std::make_shared<Parts>(occupied_cubes(octree), octree.resolution)) {}
 
-/// How far above or below a coordinate the nearest occupied level of a column is [levels]; inf:
-/// there is none. `middle` is the level nearest to the coordinate.
-double nearest_level(const std::uint64_t* column, int levels, int middle, double at) {
-  double nearest = std::numeric_limits<double>::infinity();
-  const int words = (levels + 63) / 64;
-  std::uint64_t below = column[middle / 64] & (~std::uint64_t{0} >> (63 - middle % 64));
-  std::uint64_t above = column[middle / 64] & (~std::uint64_t{0} << (middle % 64));
-  for (int word = middle / 64; word >= 0; below = --word >= 0 ? column[word] : 0) {
-    if (below == 0) continue;
-    nearest = gap(at, 64 * word + 63 - __builtin_clzll(below));
-    break;
-  }
-  for (int word = middle / 64; word < words; above = ++word < words ? column[word] : 0) {
-    if (above == 0) continue;
-    return std::min(nearest, gap(at, 64 * word + __builtin_ctzll(above)));
-  }
-  return nearest;
-}
-
-OccupancyGrid load(const std::string& path) {
+OctreeSurface::OctreeSurface(const std::string& path) {
   const OctreeLeaves octree = read_octree(path);
   try {
-    return fill(occupied_cubes(octree), octree.resolution);
+    parts_ = std::make_shared<Parts>(occupied_cubes(octree), octree.resolution);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("octree file '" + path + "': " + error.what());
   }
 }
 
-}  // namespace
-
-OctreeSurface::OctreeSurface(const OctreeLeaves& octree)
-    : voxels_(fill(occupied_cubes(octree), octree.resolution)), size_(voxels_.count()) {}
-
-OctreeSurface::OctreeSurface(const std::string& path)
-    : voxels_(load(path)), size_(voxels_.count()) {}
-
 OctreeSurface::OctreeSurface(const PathRef& points, double resolution)
-    : voxels_(fill(voxels_of(points, resolution), resolution)), size_(voxels_.count()) {}
+    : parts_(std::make_shared<Parts>(voxels_of(points, resolution), resolution)) {}
+
+double OctreeSurface::resolution() const { return parts_->edge; }
+std::int64_t OctreeSurface::size() const { return parts_->size; }
+std::int64_t OctreeSurface::memory() const { return parts_->bricks.bytes(); }
+
+const OccupancyGrid& OctreeSurface::voxels() const {
+  std::call_once(parts_->once, [&] {
+    const Cell& dims = parts_->bricks.dims();
+    if (!(dims.cast<double>().prod() < 2147483648.0)) {
+      std::ostringstream text;
+      text << dims.x() << " x " << dims.y() << " x " << dims.z();
+      check::fail("octree's bounding box [voxels]", text.str(), "fewer than 2^31 voxels in all");
+    }
+    OccupancyGrid grid(
+        GridFrame(parts_->corner, Point::Constant(parts_->edge), {dims.x(), dims.y(), dims.z()}));
+    parts_->bricks.for_each_cube([&](const Cell& low, int edge) {
+      for (int ix = low.x(); ix < low.x() + edge; ++ix) {
+        for (int iy = low.y(); iy < low.y() + edge; ++iy) {
+          for (int iz = low.z(); iz < low.z() + edge; ++iz) grid.set({ix, iy, iz});
+        }
+      }
+    });
+    parts_->grid = std::move(grid);
+  });
+  return *parts_->grid;
+}
 
 RayHit OctreeSurface::cast(const Point& origin, const Point& direction, double max_range) const {
-  const GridFrame& frame = voxels_.frame();
-  const double edge = resolution();
-  const Point anchor = frame.origin();
-  const Point start = (origin - anchor) / edge;
-  const Point rate = direction / edge;
+  const BrickStart start(parts_->bricks, parts_->edge, origin, max_range);
+  if (!start.near()) return cast_from_afar(origin, direction, max_range);
+  static thread_local BrickRays rays;
+  rays.x[0] = direction.x();
+  rays.y[0] = direction.y();
+  rays.z[0] = direction.z();
+  sensing::walk_bricks_of_one(start, rays);
+  return rays.hit(0);
+}
 
-  // The part of the ray inside the box [m].
-  double enter = 0.0;
-  double leave = max_range;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (rate[axis] == 0.0) {
-      if (!(start[axis] >= 0.0 && start[axis] < frame.dims()[axis])) return RayHit();
-      continue;
-    }
-    const double t_low = (0 - start[axis]) / rate[axis];
-    const double t_high = (frame.dims()[axis] - start[axis]) / rate[axis];
-    enter = std::max(enter, std::min(t_low, t_high));
-    leave = std::min(leave, std::max(t_low, t_high));
-  }
-  if (!(enter < leave)) return RayHit();
-
-  RayHit hit;
-  walk_segment<3>(start + enter * rate, start + leave * rate,
-                  [&](const Cell& voxel, double t_in, double t_out) {
-                    // A voxel that is only touched, at an edge or a corner, is passed by.
-                    if (t_in == t_out || !frame.contains(voxel) || !voxels_.blocked(voxel)) {
-                      return true;
-                    }
-                    hit.range = enter + t_in * (leave - enter);
-                    hit.inside = inside_voxel(frame, voxel, origin, direction, hit.range);
-                    return false;
-                  });
+RayHit OctreeSurface::cast_from_afar(const Point& origin, const Point& direction,
+                                     double max_range) const {
+  // On to the sphere about the box, as near as rounding leads.
+  const Point half = 0.5 * parts_->edge * parts_->bricks.dims().cast<double>();
+  const double way = (parts_->corner + half - origin).norm() - half.norm();
+  const Point nearer = origin + way * direction;
+  const BrickStart start(parts_->bricks, parts_->edge, nearer, max_range);
+  if (!(way < max_range) || !start.near()) return RayHit();
+  RayHit hit = cast(nearer, direction, max_range - way);
+  hit.range += way;
   return hit.range < max_range ? hit : RayHit();
 }
 
+template <typename DirectionOf>
+void OctreeSurface::cast_all(const Point& origin, std::int64_t count, double max_range,
+                             const DirectionOf& direction_of, RayHits& hits) const {
+  const BrickStart start(parts_->bricks, parts_->edge, origin, max_range);
+  if (!start.near()) {
+    for (std::int64_t ray = 0; ray < count; ++ray) {
+      const RayHit hit = cast(origin, direction_of(ray), max_range);
+      if (hit.hit()) hits.add(ray, hit.range, hit.inside);
+    }
+    return;
+  }
+  static thread_local BrickRays rays;
+  for (std::int64_t first = 0; first < count; first += BrickRays::kMost) {
+    const int some = static_cast<int>(std::min<std::int64_t>(count - first, BrickRays::kMost));
+    for (int n = 0; n < some; ++n) {
+      const Point direction = direction_of(first + n);
+      rays.x[n] = direction.x();
+      rays.y[n] = direction.y();
+      rays.z[n] = direction.z();
+    }
+    sensing::walk_bricks(start, rays, some);
+    for (int n = 0; n < some; ++n) {
+      const RayHit hit = rays.hit(n);
+      if (hit.hit()) hits.add(first + n, hit.range, hit.inside);
+    }
+  }
+}
+
+void OctreeSurface::cast_fans(const Point& origin, const std::vector<Eigen::Vector2d>& headings,
+                              const BeamFan& fan, double max_range, RayHits& hits) const {
+  const std::int64_t rows = fan.size();
+  cast_all(
+      origin, rows * static_cast<std::int64_t>(headings.size()), max_range,
+      [&](std::int64_t ray) {
+        const Eigen::Vector2d& heading = headings[ray / rows];
+        const BeamFan::Beam& beam = fan[static_cast<int>(ray % rows)];
+        return Point(beam.cosine * heading.x(), beam.cosine * heading.y(), beam.sine);
+      },
+      hits);
+}
+
+void OctreeSurface::cast_bundle(const Point& origin, const Eigen::Matrix3d& turn,
+                                const PathRef& directions, double max_range, RayHits& hits) const {
+  cast_all(
+      origin, directions.rows(), max_range,
+      [&](std::int64_t ray) { return turned(turn, directions.row(ray)); }, hits);
+}
+
 std::optional<double> OctreeSurface::first_collision(const PathRef& path) const {
-  return voxels_.first_blocked(path);
+  if (!path.allFinite()) check::fail("path", "not finite", "finite numbers only");
+  const VoxelBricks& bricks = parts_->bricks;
+  const Point high = bricks.dims().cast<double>();
+  if (path.rows() == 1) {
+    const Point at = parts_->lattice(path.row(0).transpose()).array().floor();
+    const bool within = (at.array() >= 0.0).all() && (at.array() < high.array()).all();
+    return within && bricks.occupied(at.cast<int>()) ? std::optional<double>(0.0) : std::nullopt;
+  }
+  double arc = 0.0;
+  for (Eigen::Index i = 1; i < path.rows(); ++i) {
+    const Point a = path.row(i - 1).transpose();
+    const Point b = path.row(i).transpose();
+    const double size = norm(b - a);
+    const Point from = parts_->lattice(a);
+    const Point to = parts_->lattice(b);
+    if (!from.allFinite() || !to.allFinite()) {
+      check::fail("path", b.transpose(), "points at a finite number of voxels from the octree");
+    }
+    const ClippedSegment<3> part = clip_segment<3>(from, to, Point::Zero(), high);
+    std::optional<double> touched;
+    if (!part.empty) {
+      walk_segment<3>(part.a, part.b, [&](const Cell& voxel, double t_in, double) {
+        if (!bricks.occupied(voxel)) return true;
+        touched = arc + size * part.whole(t_in);
+        return false;
+      });
+    }
+    if (touched) return touched;
+    arc += size;
+  }
+  return std::nullopt;
 }
 
 double OctreeSurface::clearance(const Point& point, double max_distance) const {
   check::finite("point", point);
   check::not_negative("max_distance", max_distance);
-  const GridFrame& frame = voxels_.frame();
-  const double edge = resolution();
-  const Point at = (point - frame.origin()) / edge;  // in voxels
-  const Point last(frame.nx() - 1.0, frame.ny() - 1.0, frame.nz() - 1.0);
-  // Rings of columns round the nearest one of the box, until none can be nearer.
-  const Cell middle = at.array().floor().max(0.0).min(last.array()).matrix().cast<int>();
-  double nearest = max_distance / edge * (max_distance / edge);
-  const int rings = std::max(frame.nx(), frame.ny());
-  for (int ring = 0; ring < rings; ++ring) {
-    const double least = std::max(ring - 1, 0);
-    if (least * least >= nearest) break;
-    for (int dx = -ring; dx <= ring; ++dx) {
-      const int ix = middle.x() + dx;
-      if (ix < 0 || ix >= frame.nx()) continue;
-      const int stride = std::abs(dx) == ring ? 1 : 2 * ring;
-      for (int dy = -ring; dy <= ring; dy += stride) {
-        const int iy = middle.y() + dy;
-        if (iy < 0 || iy >= frame.ny()) continue;
-        const double across = squared(gap(at.x(), ix)) + squared(gap(at.y(), iy));
-        if (across >= nearest) continue;
-        const double up = nearest_level(voxels_.column(ix, iy), frame.nz(), middle.z(), at.z());
-        nearest = std::min(nearest, across + squared(up));
-      }
-    }
-  }
-  return std::min(max_distance, std::sqrt(nearest) * edge);
+  const double most = max_distance / parts_->edge;
+  const double nearest = parts_->bricks.squared_distance(parts_->lattice(point), most * most);
+  return std::min(max_distance, std::sqrt(nearest) * parts_->edge);
 }
 
 }  // namespace ltp

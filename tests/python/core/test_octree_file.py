@@ -100,7 +100,7 @@ def test_a_spoiled_byte_is_read_or_refused(tmp_path: Path, position: int, byte: 
     content = bytearray(ONE_FULL_VOXEL)
     content[position] = byte
     try:
-        assert read(tmp_path, bytes(content)).size in (0, 1)
+        assert read(tmp_path, bytes(content)).size in (0, *(8**level for level in range(17)))
     except ValueError as error:
         assert "map.bt" in str(error)
 
@@ -126,11 +126,18 @@ def test_a_spoiled_byte_is_read_or_refused(tmp_path: Path, position: int, byte: 
         (octree(BT, 17, voxel(1, 2, 3), res="inf"), "res = inf"),
         (octree(BT, 17, voxel(1, 2, 3), res="ten"), "res"),
         (octree(BT, 17, voxel(1, 2, 3), kind="CountingOcTree"), "CountingOcTree"),
-        (octree(OT, 1, struct.pack("<fB", 1.0, 0)), "bounding box"),  # all of OctoMap's world
     ],
 )
 def test_a_hostile_file_is_refused(tmp_path: Path, content: bytes, reason: str) -> None:
     assert reason in refusal(tmp_path, content)
+
+
+def test_all_of_octomaps_world_is_one_leaf(tmp_path: Path) -> None:
+    whole = read(tmp_path, octree(OT, 1, struct.pack("<fB", 1.0, 0)))
+    assert whole.size == 2**48
+    assert whole.memory < 20_000_000
+    with pytest.raises(ValueError, match="bounding box"):
+        _ = whole.voxels
 
 
 def test_a_small_file_cannot_ask_for_much_memory(tmp_path: Path) -> None:

@@ -207,6 +207,27 @@ def test_an_octree_surface_holds_the_voxels_of_its_points() -> None:
     assert surface.voxels.blocked_at(scan.hits).all()
 
 
+def test_rays_over_an_octree_are_those_cast_one_by_one() -> None:
+    rng = np.random.default_rng(3)
+    surface = OctreeSurface(rng.uniform(-10, 10, (4000, 3)), 0.25)
+    assert surface.memory < 2_000_000
+    scan = small_lidar().scan(surface, Pose((0.1, 0.2, 0.3), yaw=0.4, pitch=0.5))
+    assert scan.statistics.hits > 100
+    assert surface.voxels.blocked_at(scan.hits).all()
+    directions = rng.normal(size=(500, 3))
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    ranges = surface.cast_rays(np.zeros((500, 3)), directions, 30.0)
+    alone = [surface.cast((0, 0, 0), direction, 30.0).range for direction in directions]
+    np.testing.assert_array_equal(ranges, alone)
+
+
+def test_an_octree_surface_may_be_as_wide_as_octomaps_world() -> None:
+    ends = np.array([[-1638.4, -1638.4, -1638.4], [1638.35, 1638.35, 1638.35]])
+    surface = OctreeSurface(ends + 0.01, 0.05)
+    assert surface.cast((0, 0, 0), np.full(3, -(3**-0.5)), 3000.0).hit
+    assert surface.clearance(np.array([[1638.375, 1638.375, 1630.35]]), 50.0) == pytest.approx(8.0)
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
@@ -231,7 +252,7 @@ def test_an_octree_surface_holds_the_voxels_of_its_points() -> None:
         (lambda s: OctreeSurface(np.zeros((1, 3)), 1e300), "resolution"),
         (lambda s: Lidar(LidarOptions(min_range=-1.0)), "min_range"),
         (lambda s: Lidar(LidarOptions(min_range=50.0)), "min_range"),
-        (lambda s: OctreeSurface(np.array([[0.0] * 3, [5000.0] * 3]), 1.0), "bounding box"),
+        (lambda s: OctreeSurface(np.array([[0.0] * 3, [5000.0] * 3]), 1.0).voxels, "bounding box"),
         (lambda s: Lidar(LidarOptions(max_range=math.nan)), "max_range"),
         (lambda s: Lidar(LidarOptions(drop_out=2.0)), "drop_out"),
         (lambda s: Lidar(LidarOptions(pattern=LidarPattern(rows=0))), "rows"),
