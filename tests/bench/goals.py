@@ -68,6 +68,19 @@ GOALS: tuple[Goal, ...] = (
         ),
         factor=3,
     ),
+    *(
+        Goal(
+            f"LiDAR over voxels, {attitude}, rays (C++)",
+            cpp("ltp", f"voxels/{attitude}/ltp", _RAYS),
+            (
+                cpp("OctoMap castRay", f"voxels/{attitude}/octomap", _RAYS),
+                cpp("Embree packets, the voxels' faces", f"voxels/{attitude}/embree", _RAYS),
+            ),
+            factor=2,
+            limit=figure(10.0, "M rays/s"),
+        )
+        for attitude in ("level", "tilted")
+    ),
     Goal(
         "map update per scan, endpoints",
         cpp("ltp", "map_insert/ltp"),

@@ -26,13 +26,15 @@ class Goal:
     ours: Source
     peers: tuple[Source, ...] = ()
     factor: float = 0.0  # how many times better than the best of `peers`
-    limit: Figure | None = None  # and no more than this
+    limit: Figure | None = None  # and no worse than this
 
     @property
     def words(self) -> str:
         """The goal as text."""
         parts = [f"{self.factor:g}x"] if self.factor else []
-        return " and ".join([*parts, f"<= {self.limit}"] if self.limit else parts)
+        if self.limit is not None:
+            parts.append(f"{'>=' if self.limit.kind == 'rate' else '<='} {self.limit}")
+        return " and ".join(parts)
 
 
 @dataclass(frozen=True)
