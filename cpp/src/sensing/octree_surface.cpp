@@ -11,6 +11,7 @@
 #include "brick_walk.hpp"
 #include "ltp/geometry/check.hpp"
 #include "ltp/geometry/norm.hpp"
+#include "ltp/grid/bits.hpp"
 #include "ltp/grid/ray_walk.hpp"
 
 namespace ltp {
@@ -111,9 +112,13 @@ const OccupancyGrid& OctreeSurface::voxels() const {
     OccupancyGrid grid(
         GridFrame(parts_->corner, Point::Constant(parts_->edge), {dims.x(), dims.y(), dims.z()}));
     parts_->bricks.for_each_cube([&](const Cell& low, int edge) {
+      const int top = low.z() + edge - 1;
       for (int ix = low.x(); ix < low.x() + edge; ++ix) {
         for (int iy = low.y(); iy < low.y() + edge; ++iy) {
-          for (int iz = low.z(); iz < low.z() + edge; ++iz) grid.set({ix, iy, iz});
+          std::uint64_t* column = grid.column(ix, iy);
+          for (int word = low.z() / 64; word <= top / 64; ++word) {
+            column[word] |= bits_between(word, low.z(), top);
+          }
         }
       }
     });
