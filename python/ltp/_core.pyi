@@ -1541,7 +1541,7 @@ class NavigationOptions:
     """
     When a waypoint is reached, a path left, a height allowed.
     """
-    __fields__: typing.ClassVar[tuple] = ('band', 'reach_distance', 'leave_distance', 'escape_distance', 'max_expansions', 'time_limit', 'memory_widths')
+    __fields__: typing.ClassVar[tuple] = ('band', 'reach_distance', 'leave_distance', 'escape_distance', 'max_expansions', 'time_limit', 'max_detour', 'fly_route')
     def __copy__(self) -> NavigationOptions:
         ...
     def __deepcopy__(self, memo: dict) -> NavigationOptions:
@@ -1571,12 +1571,28 @@ class NavigationOptions:
     def escape_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def fly_route(self) -> bool:
+        """
+        where the planner finds no path and a way is known, fly the shortest one instead of holding
+        """
+    @fly_route.setter
+    def fly_route(self, arg0: bool) -> None:
+        ...
+    @property
     def leave_distance(self) -> float:
         """
         farther from its path the UAV has left it [m]; 0: one horizontal cell diagonal
         """
     @leave_distance.setter
     def leave_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def max_detour(self) -> float:
+        """
+        a waypoint that would cost more metres than the shortest way to it that was known at first, by so many, is skipped as too far [m]; 0: none is
+        """
+    @max_detour.setter
+    def max_detour(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def max_expansions(self) -> int:
@@ -1589,10 +1605,10 @@ class NavigationOptions:
     @property
     def memory_widths(self) -> int:
         """
-        how many windows wide the memory is from which proofs are drawn; 1 where obstacles move
+        Without effect.
         """
     @memory_widths.setter
-    def memory_widths(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+    def memory_widths(self, arg1: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
     @property
     def reach_distance(self) -> float:
@@ -1686,8 +1702,6 @@ class NavigationReason:
 
       WALLED_IN : the UAV is walled in by its own map
 
-      NO_STOPOVER : the waypoint lies beyond the map's window, and no point of the leg to it can be reached
-
       OUT_OF_BUDGET : the planner's budget ran out before it found a path
 
       NO_PATH : no path was found, and no proof that there is none
@@ -1696,6 +1710,8 @@ class NavigationReason:
 
       UNREACHABLE : the waypoint is proved unreachable: all around it is closed
 
+      TOO_FAR : the waypoint is too far: the way to it is longer than the largest detour allows
+
       ALL_DROPPED : all waypoints were dropped, none was reached
     """
     ALL_DROPPED: typing.ClassVar[NavigationReason]
@@ -1703,10 +1719,10 @@ class NavigationReason:
     NONE: typing.ClassVar[NavigationReason]
     NO_ESCAPE: typing.ClassVar[NavigationReason]
     NO_PATH: typing.ClassVar[NavigationReason]
-    NO_STOPOVER: typing.ClassVar[NavigationReason]
     OUT_OF_BUDGET: typing.ClassVar[NavigationReason]
     START_BLOCKED: typing.ClassVar[NavigationReason]
     START_IN_GROUND: typing.ClassVar[NavigationReason]
+    TOO_FAR: typing.ClassVar[NavigationReason]
     UNDECIDED: typing.ClassVar[NavigationReason]
     UNREACHABLE: typing.ClassVar[NavigationReason]
     WALLED_IN: typing.ClassVar[NavigationReason]
@@ -1785,7 +1801,7 @@ class WaypointEvent:
     @property
     def reason(self) -> PlanStatus:
         """
-        why it was dropped: GOAL_BLOCKED or UNREACHABLE
+        why it was dropped: GOAL_BLOCKED or UNREACHABLE, on proof; NONE_FOUND: it was too far
         """
     @property
     def why(self) -> NavigationReason:

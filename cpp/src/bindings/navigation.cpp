@@ -144,9 +144,12 @@ void bind_options(py::module_& m) {
              "of a plan, see `Budget`; 0: no limit")
       .field("time_limit", &ltp::NavigationOptions::time_limit,
              "of a plan, see `Budget` [s]; 0: no limit")
-      .field("memory_widths", &ltp::NavigationOptions::memory_widths,
-             "how many windows wide the memory is from which proofs are drawn; 1 where "
-             "obstacles move");
+      .field("max_detour", &ltp::NavigationOptions::max_detour,
+             "a waypoint that would cost more metres than the shortest way to it that was known at "
+             "first, by so many, is skipped as too far [m]; 0: none is")
+      .field("fly_route", &ltp::NavigationOptions::fly_route,
+             "where the planner finds no path and a way is known, fly the shortest one instead of "
+             "holding");
 }
 
 void bind_results(py::module_& m) {
@@ -179,8 +182,9 @@ void bind_results(py::module_& m) {
   Fields<ltp::WaypointEvent>(m, "WaypointEvent", "What became of a waypoint.")
       .result("index", &ltp::WaypointEvent::index, "of the waypoint, from 0")
       .result("reached", &ltp::WaypointEvent::reached, "True: reached; False: dropped")
-      .result("reason", &ltp::WaypointEvent::reason,
-              "why it was dropped: GOAL_BLOCKED or UNREACHABLE")
+      .result(
+          "reason", &ltp::WaypointEvent::reason,
+          "why it was dropped: GOAL_BLOCKED or UNREACHABLE, on proof; NONE_FOUND: it was too far")
       .result("why", &ltp::WaypointEvent::why, "the same as a reason with a text; NONE: reached")
       .result("position", &ltp::WaypointEvent::position, "(3,), of the UAV [m]")
       .result("goal", &ltp::WaypointEvent::goal, "(3,), the waypoint [m]")

@@ -63,6 +63,22 @@ void set_way_points() {
       "way_points"_a, "The old name of `set_waypoints`.");
 }
 
+/// What is no longer limited.
+void memory_widths() {
+  const auto tell = [] {
+    warn_deprecated(
+        "`memory_widths` has no effect: what was seen is remembered without limit; the name goes "
+        "with the next release");
+  };
+  bound<ltp::NavigationOptions>().def_property(
+      "memory_widths",
+      [tell](const ltp::NavigationOptions&) {
+        tell();
+        return 3;
+      },
+      [tell](ltp::NavigationOptions&, int) { tell(); }, "Without effect.");
+}
+
 }  // namespace
 
 void bind_old_names(py::module_&) {
@@ -73,6 +89,7 @@ void bind_old_names(py::module_&) {
   attribute<ltp::ConcurrentTrajectoryPlanner>("way_points", "waypoints");
   attribute<ltp::Decision>("way_point_index", "waypoint_index");
   attribute<ltp::PlanRecord>("way_point", "waypoint");
+  memory_widths();
   field<ltp::PlannerOptions>("length_weight", "weights", "length");
   field<ltp::PlannerOptions>("priority_weight", "weights", "priority");
   field<ltp::PlannerOptions>("pareto", "", "exact");

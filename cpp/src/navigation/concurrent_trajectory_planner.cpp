@@ -20,7 +20,7 @@ ConcurrentTrajectoryPlanner::ConcurrentTrajectoryPlanner(std::unique_ptr<Planner
       position_(position),
       navigator_(std::move(planner), options, std::move(priority), map_.occupied().frame(),
                  map_options.inflation_radius, position),
-      known_(map_.occupied()),
+      known_(map_.blocked()),
       snapshots_(
           {0, 0, position, 0, 0, map_.occupied(), map_.blocked(), 0, Path(0, 3), 0, nullptr}),
       decisions_({}) {}
@@ -135,7 +135,7 @@ bool ConcurrentTrajectoryPlanner::plan() {
   if (!snapshots_.take()) return false;
   Snapshot& seen = snapshots_.front();
   take_over(seen);
-  navigator_.update({known_, seen.blocked, seen.version}, seen.position,
+  navigator_.update({seen.occupied, known_, seen.version}, seen.position,
                     [this] { return stopping_.load(std::memory_order_relaxed); });
   publish(seen);
   return true;
@@ -145,10 +145,10 @@ bool ConcurrentTrajectoryPlanner::plan() {
 void ConcurrentTrajectoryPlanner::take_over(Snapshot& seen) {
   if (std::exchange(known_clearings_, seen.clearings) != seen.clearings) {
     navigator_.forget();
-  } else if (seen.occupied.frame() != known_.frame()) {
+  } else if (seen.blocked.frame() != known_.frame()) {
     navigator_.remember(known_);
   }
-  std::swap(known_, seen.occupied);  // the slot's next value overwrites all of it
+  std::swap(known_, seen.blocked);  // the slot's next value overwrites all of it
   if (std::exchange(known_route_, seen.route) != seen.route) {
     navigator_.set_waypoints(seen.waypoints);
   }

@@ -6,15 +6,6 @@
 #include "ltp/planning/planners.hpp"
 
 namespace ltp {
-namespace {
-
-/// What leaves the window is kept for proofs.
-auto remembering(Navigator& navigator) {
-  return [&navigator](const OccupancyGrid& occupied) { navigator.remember(occupied); };
-}
-
-}  // namespace
-
 LocalTrajectoryPlanner::LocalTrajectoryPlanner(std::unique_ptr<Planner> planner,
                                                const ObstacleMapOptions& map_options,
                                                const NavigationOptions& options, Raster priority,
@@ -30,7 +21,15 @@ LocalTrajectoryPlanner::LocalTrajectoryPlanner(const ObstacleMapOptions& map_opt
 
 InsertStatistics LocalTrajectoryPlanner::sense(const Pose& sensor, const PointsView& hits,
                                                const PointsView& misses) {
-  return map_.sense(sensor, hits, misses, remembering(navigator_));
+  remember_before(sensor.position);
+  return map_.sense(sensor, hits, misses);
+}
+
+/// What the window will have left, centred on a position, is remembered.
+void LocalTrajectoryPlanner::remember_before(const Point& position) {
+  if (!position.allFinite()) return;  // which the map refuses
+  const bool leaves = !map_.blocked().frame().shift_to_centre(position).isZero();
+  if (leaves) navigator_.remember(map_.blocked());
 }
 
 void LocalTrajectoryPlanner::clear_map() {
@@ -41,7 +40,8 @@ void LocalTrajectoryPlanner::clear_map() {
 NavigationStatus LocalTrajectoryPlanner::update(const Point& position,
                                                 const std::function<bool()>& interrupted) {
   check::finite("position", position);
-  map_.recentre(position, remembering(navigator_));
+  remember_before(position);
+  map_.recentre(position);
   return navigator_.update({map_.occupied(), map_.blocked(), map_.version()}, position,
                            interrupted);
 }

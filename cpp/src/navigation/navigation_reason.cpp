@@ -24,12 +24,11 @@ constexpr std::array<Words, 12> kWords{{
      "no free cell is near"},
     {"no_escape", "the UAV stands too near to what was hit, and no free cell can be reached"},
     {"walled_in", "the UAV is walled in by its own map"},
-    {"no_stopover",
-     "the waypoint lies beyond the map's window, and no point of the leg to it can be reached"},
     {"out_of_budget", "the planner's budget ran out before it found a path"},
     {"no_path", "no path was found, and no proof that there is none"},
     {"goal_blocked", "the waypoint lies in a blocked cell of the map"},
     {"unreachable", "the waypoint is proved unreachable: all around it is closed"},
+    {"too_far", "the waypoint is too far: the way to it is longer than the largest detour allows"},
     {"all_dropped", "all waypoints were dropped, none was reached"},
 }};
 

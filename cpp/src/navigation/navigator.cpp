@@ -11,16 +11,30 @@
 #include "ltp/geometry/norm.hpp"
 #include "ltp/geometry/polyline.hpp"
 #include "ltp/planning/grid_planner.hpp"
-#include "planning/search/flood.hpp"
+#include "navigation/route.hpp"
 
 namespace ltp {
 namespace {
 
-/// A waypoint that takes so many plans may lie in a block larger than the window; then it is time
-/// for a proof.
-constexpr int kPlansBeforeProof = 5;
+/// Plans in a row, on one map, that may leave the way to a waypoint as long as it was: a UAV that
+/// is blown about. After that it follows the shortest way itself.
+constexpr int kStalls = 3;
 
 double horizontal_diagonal(const GridFrame& frame) { return frame.cell().head<2>().norm(); }
+
+/// No path that leaves the window and comes back is shorter [m].
+double out_and_back(const GridFrame& window, const Query& query) {
+  const AltitudeRange altitudes = altitudes_of(query);
+  const auto to_face = [&](const Point& point) {
+    const Point low = point - window.origin();
+    const Point high = window.upper() - point;
+    double least = std::min(low.head<2>().minCoeff(), high.head<2>().minCoeff());
+    if (altitudes.lowest < window.origin().z()) least = std::min(least, low.z());
+    if (altitudes.highest > window.upper().z()) least = std::min(least, high.z());
+    return least;
+  };
+  return to_face(query.start) + to_face(query.goal);
+}
 
 bool same_cell(const GridFrame& frame, const Point& a, const Point& b) {
   return frame.cell_of(a) == frame.cell_of(b);
@@ -34,7 +48,7 @@ void NavigationOptions::check() const {
   check::not_negative("reach_distance", reach_distance);
   check::not_negative("leave_distance", leave_distance);
   check::positive("escape_distance", escape_distance);
-  check::at_least("memory_widths", memory_widths, 1);
+  check::not_negative("max_detour", max_detour);
   Budget{max_expansions, time_limit}.check();
 }
 
@@ -63,9 +77,10 @@ Navigator::Navigator(std::unique_ptr<Planner> planner, const NavigationOptions& 
     : planner_(std::move(planner)),
       options_(options),
       priority_(std::move(priority)),
-      leg_begin_(position),
-      flood_(std::make_unique<planning::Flood>()),
-      memory_(window, options.memory_widths, inflation_radius) {
+      last_position_(position),
+      memory_(window, inflation_radius),
+      known_(window),
+      route_(std::make_unique<Route>()) {
   if (!planner_) check::fail("planner", "null", "a planner");
   options_.check();
   const double diagonal = horizontal_diagonal(window);
@@ -84,7 +99,7 @@ void Navigator::set_waypoints(const PathRef& waypoints) {
   next_ = 0;
   events_.clear();
   events_.reserve(waypoints.rows());
-  give_up_path();
+  begin_leg();
   planned_on_ = kNoVersion;
   if (finished()) return finish();
   hold(NavigationReason::Undecided);
@@ -99,35 +114,47 @@ void Navigator::set_priority(Raster priority) {
 NavigationStatus Navigator::update(const MapView& map, const Point& position,
                                    const std::function<bool()>& interrupted) {
   check::finite("position", position);
+  flown_ += (position - last_position_).norm();
   take_reached(map, position);
   if (finished()) {
     finish();
   } else if (must_replan(map, position)) {
     replan(map, position, interrupted);
   }
+  last_position_ = position;
   return status_;
+}
+
+/// Forgets what was about the last waypoint.
+void Navigator::begin_leg() {
+  give_up_path();
+  altitudes_.reset();
+  first_length_.reset();
+  flown_ = 0.0;
+  measured_on_ = kNoVersion;
 }
 
 /// Notes the end of a waypoint, reached unless there is a reason, and turns to the next one.
 void Navigator::retire(const MapView& map, NavigationReason why, const Point& position) {
   const PlanStatus status = why == NavigationReason::GoalBlocked   ? PlanStatus::GoalBlocked
                             : why == NavigationReason::Unreachable ? PlanStatus::Unreachable
+                            : why == NavigationReason::TooFar      ? PlanStatus::NoneFound
                                                                    : PlanStatus::Found;
   events_.push_back({next_, why == NavigationReason::None, status, why, position, waypoint(next_),
                      map.blocked.frame().origin()});
-  leg_begin_ = waypoint(next_);
   ++next_;
-  plans_for_waypoint_ = 0;
-  give_up_path();
+  begin_leg();
+}
+
+bool Navigator::is_at(const GridFrame& frame, const Point& position, const Point& point) const {
+  const Point offset = point - position;
+  return offset.head<2>().norm() <= options_.reach_distance &&
+         std::abs(offset.z()) <= frame.cell().z();
 }
 
 void Navigator::take_reached(const MapView& map, const Point& position) {
-  const double height = map.blocked.frame().cell().z();
   while (!finished()) {
-    const Point offset = waypoint(next_) - position;
-    const bool reached =
-        offset.head<2>().norm() <= options_.reach_distance && std::abs(offset.z()) <= height;
-    if (!reached) return;
+    if (!is_at(map.blocked.frame(), position, waypoint(next_))) return;
     retire(map, NavigationReason::None, position);
     planned_on_ = kNoVersion;  // whoever held has somewhere else to go
   }
@@ -147,9 +174,8 @@ bool Navigator::must_replan(const MapView& map, const Point& position) {
   const double most = 2.0 * (position - last_position_).norm() + options_.leave_distance;
   const ClosestPoint here = closest_point(path_, position, progress_, progress_ + most);
   progress_ = here.arc_length;
-  last_position_ = position;
   if (here.distance > options_.leave_distance) return true;
-  const bool arrived = (target_ - position).head<2>().norm() <= options_.reach_distance;
+  const bool arrived = is_at(map.blocked.frame(), position, target_);
   if ((stopover_ || status_ == NavigationStatus::Escaping) && arrived) return true;
   if (status_ == NavigationStatus::Escaping) {
     // It leads through blocked cells, out of them; all that it must avoid is what was really hit.
@@ -164,20 +190,26 @@ void Navigator::give_up_path() {
   ++path_id_;
 }
 
-void Navigator::follow(NavigationStatus status, const Path& path, const Point& target) {
+NavigationReason Navigator::follow(NavigationStatus status, const Path& path) {
   status_ = status;
   reason_ = status == NavigationStatus::Escaping ? NavigationReason::StartBlocked
                                                  : NavigationReason::None;
   path_ = path;
-  last_position_ = path.row(0).transpose();
-  target_ = target;
+  target_ = path.row(path.rows() - 1).transpose();
+  // For the window at all points of the path: while it is followed nothing is allocated.
+  const GridFrame& frame = known_.frame();
+  const Point half = 0.5 * (frame.upper() - frame.origin()) + frame.cell();
+  memory_.make_room(path.colwise().minCoeff().transpose() - half,
+                    path.colwise().maxCoeff().transpose() + half);
   progress_ = 0.0;
   ++path_id_;
+  return NavigationReason::None;
 }
 
-void Navigator::hold(NavigationReason reason) {
+NavigationReason Navigator::hold(NavigationReason reason) {
   status_ = NavigationStatus::Holding;
   reason_ = reason;
+  return NavigationReason::None;
 }
 
 void Navigator::finish() {
@@ -189,98 +221,167 @@ void Navigator::finish() {
 
 void Navigator::replan(const MapView& map, const Point& position,
                        const std::function<bool()>& interrupted) {
-  const GridFrame& frame = map.blocked.frame();
   give_up_path();
   plans_.clear();
   planned_on_ = map.version;
   last_position_ = position;
+  recall(map);
+  const MapView known{map.occupied, known_, map.version};
   while (!finished()) {
     const Point goal = waypoint(next_);
-    if (map.blocked.blocked_at(goal) && !same_cell(frame, goal, position)) {
-      retire(map, NavigationReason::GoalBlocked, position);  // proof: the map itself
-      continue;
+    const bool blocked = known_.blocked_at(goal) || memory_.blocked().blocked_at(goal);
+    NavigationReason why = NavigationReason::None;
+    if (blocked && !same_cell(known_.frame(), goal, position)) {
+      why = NavigationReason::GoalBlocked;  // proof: the map itself
+    } else if (known_.blocked_at(position)) {
+      return escape(known, position);
+    } else {
+      why = set_out(position, interrupted);
     }
-    if (map.blocked.blocked_at(position)) {
-      const std::optional<Point> out = escape_point(map, position);
-      if (!out) {
-        const Point beneath = position - Point(0.0, 0.0, frame.cell().z());
-        const bool low = map.occupied.blocked_at(position) || map.occupied.blocked_at(beneath);
-        return hold(low ? NavigationReason::StartInGround : NavigationReason::NoEscape);
-      }
-      Path path(2, 3);
-      path << position.transpose(), out->transpose();
-      return follow(NavigationStatus::Escaping, path, *out);
-    }
-
-    const Budget budget{options_.max_expansions, options_.time_limit, interrupted};
-    Query query{position, goal, options_.band};
-    stopover_ = !frame.contains(goal);
-    const LevelRange levels = levels_of(frame, query);
-    if (stopover_) {
-      const std::optional<Point> target = target_inside(map, position, levels);
-      if (!target) return hold(why_no_path(map, position, levels, NavigationReason::NoStopover));
-      query.goal = *target;
-    }
-    const bool overdue = plans_for_waypoint_ > 0 && plans_for_waypoint_ % kPlansBeforeProof == 0;
-    ++plans_for_waypoint_;
-    if (overdue && !stopover_ && proved_unreachable(map, position, goal)) {
-      retire(map, NavigationReason::Unreachable, position);
-      continue;
-    }
-    plans_.push_back({next_, norm(query.goal - query.start),
-                      planner_->plan({map.blocked, priority_}, query, budget)});
-    ++plans_made_;
-    const Plan& plan = plans_.back().plan;
-    if (plan.status == PlanStatus::Found) {
-      return follow(NavigationStatus::Following, plan.path, query.goal);
-    }
-    const bool claimed = plan.status == PlanStatus::Unreachable && planner_->complete();
-    if (stopover_ || !claimed || !proved_unreachable(map, position, goal)) {
-      return hold(why_no_path(map, position, levels,
-                              plan.status == PlanStatus::OutOfBudget ? NavigationReason::OutOfBudget
-                                                                     : NavigationReason::NoPath));
-    }
-    retire(map, NavigationReason::Unreachable, position);
+    if (why == NavigationReason::None) return;
+    retire(map, why, position);
   }
   finish();
 }
 
-/// Why the UAV holds: it is walled in, or else what the planner said.
-NavigationReason Navigator::why_no_path(const MapView& map, const Point& position,
-                                        const LevelRange& levels, NavigationReason otherwise) {
-  flood_->fill(map.blocked, map.blocked.frame().cell_of(position), levels);
-  return flood_->touched_edge() ? otherwise : NavigationReason::WalledIn;
+/// Puts together what the window shows and what is remembered of it.
+void Navigator::recall(const MapView& map) {
+  memory_.remember(map.blocked);
+  known_ = map.blocked;
+  memory_.add_to(known_);
 }
 
-bool Navigator::proved_unreachable(const MapView& map, const Point& position, const Point& goal) {
-  memory_.remember(map.occupied);
-  return memory_.seals({position, goal, options_.band});
+/// A query whose altitudes are those of the leg, wherever the UAV is by now: with a band about its
+/// own, ways would open and close as it climbs and sinks.
+Query Navigator::query_to(const Point& position, const Point& goal) {
+  if (!altitudes_) altitudes_ = altitudes_of({position, waypoint(next_), options_.band});
+  const double below = std::min(position.z(), goal.z()) - altitudes_->lowest;
+  const double above = altitudes_->highest - std::max(position.z(), goal.z());
+  return {position, goal, {std::max(below, 0.0), std::max(above, 0.0)}};
 }
 
-/// The last point of the leg to the waypoint that lies inside the window and can be reached.
-std::optional<Point> Navigator::target_inside(const MapView& map, const Point& position,
-                                              const LevelRange& levels) {
-  const GridFrame& frame = map.blocked.frame();
-  flood_->fill(map.blocked, frame.cell_of(position), levels);
-  const Point goal = waypoint(next_);
-  for (const Point& begin : {leg_begin_, position}) {
-    const Point leg = goal - begin;
-    const int count = static_cast<int>(std::ceil(leg.norm() / frame.cell().minCoeff()));
-    for (int i = count - 1; i > 0; --i) {
-      const Point candidate = begin + leg * (static_cast<double>(i) / count);
-      if (same_cell(frame, candidate, position)) continue;
-      if (flood_->reached(frame.cell_of(candidate))) return candidate;
+const Plan& Navigator::ask(const Query& query, const std::function<bool()>& interrupted) {
+  const Budget budget{options_.max_expansions, options_.time_limit, interrupted};
+  plans_.push_back(
+      {next_, norm(query.goal - query.start), planner_->plan({known_, priority_}, query, budget)});
+  ++plans_made_;
+  return plans_.back().plan;
+}
+
+/// Takes up a path towards the waypoint, or holds; or says why the waypoint is to be dropped.
+NavigationReason Navigator::set_out(const Point& position,
+                                    const std::function<bool()>& interrupted) {
+  const GridFrame& frame = known_.frame();
+  const Query query = query_to(position, waypoint(next_));
+  stopover_ = false;
+  if (!frame.contains(query.goal)) return take_route(query, nullptr, interrupted);
+  const Plan& plan = ask(query, interrupted);
+  const bool matters = options_.max_detour > 0.0 || measured_on_ == memory_.version() ||
+                       plan.status != PlanStatus::Found ||
+                       plan.tally.length > out_and_back(frame, query);
+  if (matters) return take_route(query, &plan, interrupted);
+  return follow(NavigationStatus::Following, plan.path);
+}
+
+/// The same by the shortest way, given the planner's answer if the waypoint lies in the window.
+NavigationReason Navigator::take_route(const Query& query, const Plan* inside,
+                                       const std::function<bool()>& interrupted) {
+  const GridFrame& frame = known_.frame();
+  const Point aim = towards(query);
+  const PlanStatus status =
+      route_->find(memory_.blocked(), query_to(query.start, aim), interrupted);
+  if (status != PlanStatus::Found) {
+    // What a search has not found, a flood must find closed.
+    if (status == PlanStatus::Unreachable && aim == query.goal) {
+      if (memory_.seals(query)) return NavigationReason::Unreachable;
+      if (memory_.encloses(query)) return hold(NavigationReason::WalledIn);
     }
+    return hold(status == PlanStatus::OutOfBudget ? NavigationReason::OutOfBudget
+                                                  : NavigationReason::NoPath);
   }
-  return std::nullopt;
+  if (is_too_far()) return NavigationReason::TooFar;
+  const bool stalled = is_stalled();
+  const bool stays = inside != nullptr && route_->stays_in(frame);
+  const bool found = inside != nullptr && inside->status == PlanStatus::Found;
+  if (!stalled && found && (stays || inside->tally.length <= route_->length())) {
+    return follow(NavigationStatus::Following, inside->path);
+  }
+  stopover_ = !stays;
+  if (stopover_ && !stalled) {
+    const Point target = route_->stopover(memory_.blocked(), frame);
+    const Plan& plan = ask(query_to(query.start, target), interrupted);
+    if (plan.status == PlanStatus::Found) return follow(NavigationStatus::Following, plan.path);
+  }
+  if (!stalled && found) {  // the longer way, in the window
+    stopover_ = false;
+    return follow(NavigationStatus::Following, plans_[plans_.size() - 2].plan.path);
+  }
+  if (!stalled && !options_.fly_route) {
+    const bool spent = plans_.back().plan.status == PlanStatus::OutOfBudget;
+    return hold(spent ? NavigationReason::OutOfBudget : NavigationReason::NoPath);
+  }
+  const Path path = stopover_ ? route_->beginning(frame) : route_->path();
+  if (known_.first_blocked(path)) return hold(NavigationReason::NoPath);
+  return follow(NavigationStatus::Following, path);
+}
+
+/// The waypoint, for which there is made room; or a point on the straight line to one that is too
+/// far away for that.
+Point Navigator::towards(const Query& query) {
+  const auto has_room = [&](const Point& point) {
+    return memory_.make_room(query.start.cwiseMin(point), query.start.cwiseMax(point));
+  };
+  if (has_room(query.goal)) return query.goal;
+  const Point way = query.goal - query.start;
+  const Point step = way * (known_.frame().cell().minCoeff() / norm(way));
+  for (int count = ObstacleMemory::kMostCells / 4; count > 0; --count) {
+    const Point point = query.start + count * step;
+    if (has_room(point) && !memory_.blocked().blocked_at(point)) return point;
+  }
+  return query.start;
+}
+
+/// Whether the way has grown no shorter, several times in a row, though nothing new was seen.
+bool Navigator::is_stalled() {
+  const double left = route_->length();
+  const bool same_map = measured_on_ == memory_.version();
+  const double least = known_.frame().cell().minCoeff();
+  if (!same_map || left < least_left_ - least) {
+    measured_on_ = memory_.version();
+    least_left_ = left;
+    stalls_ = 0;
+  } else {
+    ++stalls_;
+  }
+  return stalls_ > kStalls;
+}
+
+bool Navigator::is_too_far() {
+  if (options_.max_detour == 0.0) return false;
+  const double whole = flown_ + route_->length();
+  if (!first_length_) first_length_ = whole;
+  return whole - *first_length_ > options_.max_detour;
+}
+
+void Navigator::escape(const MapView& map, const Point& position) {
+  const std::optional<Point> out = escape_point(map, position);
+  if (!out) {
+    const Point beneath = position - Point(0.0, 0.0, map.blocked.frame().cell().z());
+    const bool low = map.occupied.blocked_at(position) || map.occupied.blocked_at(beneath);
+    hold(low ? NavigationReason::StartInGround : NavigationReason::NoEscape);
+    return;
+  }
+  Path path(2, 3);
+  path << position.transpose(), out->transpose();
+  follow(NavigationStatus::Escaping, path);
 }
 
 /// The vertex of the nearest free cell to which the straight way touches nothing that was hit.
-std::optional<Point> Navigator::escape_point(const MapView& map, const Point& position) const {
+std::optional<Point> Navigator::escape_point(const MapView& map, const Point& position) {
   const OccupancyGrid& blocked = map.blocked;
   const GridFrame& frame = blocked.frame();
   const Cell own = frame.cell_of(position);
-  const Query query{position, waypoint(next_), options_.band};
+  const Query query = query_to(position, waypoint(next_));
   const LevelRange levels = levels_of(frame, query);
   const Cell reach = (Point::Constant(options_.escape_distance).cwiseQuotient(frame.cell()))
                          .array()

@@ -136,5 +136,7 @@ def _report(record: "FlightRecord") -> None:
     )
     if record.outcome != "reached":
         say(f"why: {record.reason}")
-    for event in record.dropped:
-        say(f"waypoint {event.index + 1} dropped at {event.time:.0f} s: {event.reason_text}")
+    for event in record.waypoints:
+        if event.outcome != "reached":
+            fate = f"{event.outcome} at {event.time:.0f} s: {event.reason_text}"
+            say(f"waypoint {event.index + 1} {fate}")

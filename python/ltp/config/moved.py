@@ -22,6 +22,9 @@ MOVED = {
     "hermite": "planner_options.hermite",
 }
 
+#: Table -> keys that older files hold and that have no effect any more: they are passed over.
+GONE = {"navigation": ("memory_widths",)}
+
 
 def warn_of(name: str) -> None:
     """Issue the `DeprecationWarning` of one of `MOVED`, at the line that called this package."""
@@ -33,12 +36,15 @@ def warn_of(name: str) -> None:
 
 
 def with_new_names(values: dict[str, Any]) -> dict[str, Any]:
-    """Nested settings with every old key put where it belongs now; `values` stays as it is.
+    """Nested settings with every old key where it belongs now, or gone; `values` stays as it is.
 
     Raises:
         ValueError: if a setting is given under both of its names, or a table is none.
     """
     moved = {name: value for name, value in values.items() if name not in MOVED}
+    for table, keys in GONE.items():
+        if isinstance(moved.get(table), dict):
+            moved[table] = {key: value for key, value in moved[table].items() if key not in keys}
     for name in MOVED.keys() & values.keys():
         *tables, key = MOVED[name].split(".")
         holder = moved

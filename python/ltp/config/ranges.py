@@ -96,7 +96,7 @@ RANGES: Mapping[str, Range] = {
     "navigation.escape_distance": Range(0.01, 1e4, "m"),
     "navigation.max_expansions": Range(0, 10**12, "cells"),
     "navigation.time_limit": Range(0.0, 3600.0, "s"),
-    "navigation.memory_widths": Range(1, 31),
+    "navigation.max_detour": Range(0.0, 1e6, "m"),
 }
 
 _MOST_CELLS = 10**8  # of the window: 60 times the default's, some GB

@@ -39,7 +39,7 @@ class DecisionLog:
                 name = plan.status.name.lower()
                 _log.info(text, step.time, answer.waypoint, name, plan.stats.expanded)
         for event in step.events:
-            how = "reached" if event.reached else f"dropped ({event.reason.name.lower()})"
+            how = "reached" if event.reached else f"dropped ({event.why.name.lower()})"
             _log.info("%.1f s: waypoint %d %s", step.time, event.index, how)
         if step.status != self._status:
             where = tuple(round(float(value), 1) for value in step.position)

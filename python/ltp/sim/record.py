@@ -42,13 +42,19 @@ class Outcome(enum.StrEnum):
     STOPPED = "stopped"  # by whoever flew it, on its way
 
 
+def _outcome(event: WaypointEvent) -> str:
+    if event.why == NavigationReason.TOO_FAR:
+        return "skipped"
+    return "reached" if event.reached else "dropped"
+
+
 @dataclass(frozen=True)
 class WaypointEntry:
     """What became of a waypoint, and when. Points are (x, y, z), world [m]."""
 
     index: int
-    outcome: str  # "reached" or "dropped"
-    reason: str  # why it was dropped: "goal_blocked" or "unreachable"; "" if it was reached
+    outcome: str  # "reached", "dropped" on proof, or "skipped" as too far
+    reason: str  # why: "goal_blocked", "unreachable" or "too_far"; "" if it was reached
     time: float  # [s]
     position: tuple[float, float, float]  # of the UAV
     goal: tuple[float, float, float]  # the waypoint
@@ -65,8 +71,8 @@ class WaypointEntry:
         """An event of the planner's at a time [s]; before: waypoints that it no longer counts."""
         return cls(
             index=before + event.index,
-            outcome="reached" if event.reached else "dropped",
-            reason="" if event.reached else event.reason.name.lower(),
+            outcome=_outcome(event),
+            reason="" if event.reached else event.why.name.lower(),
             time=time,
             position=_point(event.position),
             goal=_point(event.goal),
@@ -162,6 +168,11 @@ class FlightRecord:
         return [event for event in self.waypoints if event.outcome == "dropped"]
 
     @property
+    def skipped(self) -> list[WaypointEntry]:
+        """The waypoints that were too far: see `NavigationOptions.max_detour`."""
+        return [event for event in self.waypoints if event.outcome == "skipped"]
+
+    @property
     def duration(self) -> float:
         """Flight time [s]."""
         return float(self.times[-1])
@@ -169,7 +180,7 @@ class FlightRecord:
     @property
     def complete(self) -> bool:
         """Whether every waypoint was reached."""
-        return self.outcome is Outcome.REACHED and not self.dropped
+        return self.outcome is Outcome.REACHED and not self.dropped and not self.skipped
 
     @property
     def plan_seconds(self) -> NDArray[np.float64]:

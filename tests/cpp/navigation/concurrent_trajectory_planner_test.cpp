@@ -347,7 +347,7 @@ TEST(ConcurrentTrajectoryPlanner, ProvesNothingFromWhatWasCleared) {
     ltp.set_waypoints(Eigen::RowVector3d(20, 40, 30));
     sense(20, 60);
     EXPECT_EQ(ltp.decision().status,
-              cleared ? NavigationStatus::Holding : NavigationStatus::Finished);
+              cleared ? NavigationStatus::Following : NavigationStatus::Finished);
     EXPECT_EQ(ltp.decision().events.size(), cleared ? 0u : 1u);
   }
 }

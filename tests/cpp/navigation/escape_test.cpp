@@ -229,9 +229,7 @@ TEST(Escape, GivesWayToAnObstacleThatMoves) {
   ObstacleMapOptions map = small_map();
   map.carve_free_space = true;
   map.keep_hits = false;
-  NavigationOptions options;
-  options.memory_widths = 1;
-  LocalTrajectoryPlanner ltp = make(options, map);
+  LocalTrajectoryPlanner ltp = make({}, map);
   Point position = kStart;
   std::set<std::string> seen;
   // It crosses the way out from the north, 1 m a scan; every second scan is lost.
@@ -354,14 +352,14 @@ TEST(Reach, AWaypointAboveOrBelowByMoreThanACellIsNotYetReached) {
 TEST(Reach, AUavThatHeldTurnsToTheNextWaypointWhenItHasReachedOne) {
   Path two(2, 3);
   two << 21, 1, 50, 1, 31, 50;
-  LocalTrajectoryPlanner ltp = make({}, small_map(), two, "bezier");
-  std::vector<std::array<int, 2>> box;
-  for (int i = -3; i <= 3; ++i) {
-    box.insert(box.end(), {{10 + i, -3}, {10 + i, 3}, {7, i}, {13, i}});
-  }
-  ltp.sense(kStart, cells(box), kNothing);
+  NavigationOptions poor;
+  poor.max_expansions = 1;
+  LocalTrajectoryPlanner ltp = make(poor, small_map(), two, "lp-a-star");
+  std::vector<std::array<int, 2>> wall;
+  for (int dy = -6; dy <= 6; ++dy) wall.push_back({5, dy});
+  ltp.sense(kStart, cells(wall), kNothing);
   ASSERT_EQ(ltp.update(kStart), NavigationStatus::Holding);
-  EXPECT_EQ(ltp.reason(), NavigationReason::NoPath);
+  EXPECT_EQ(ltp.reason(), NavigationReason::OutOfBudget);
   ltp.update(Point(19.5, 1, 50));  // carried there; the map is the same
   EXPECT_EQ(ltp.events().size(), 1u);
   EXPECT_EQ(ltp.plans_made(), 2);

@@ -109,3 +109,13 @@ def test_old_and_new_names_meet_in_one_table_and_leave_the_values_alone() -> Non
         "planner_options": {"weights": {"length": 0.25, "priority": 2.0}}
     }
     assert values == {"length_weight": 0.25, "planner_options": {"weights": {"priority": 2.0}}}
+
+
+def test_a_setting_without_effect_is_passed_over() -> None:
+    assert with_new_names({"navigation": {"memory_widths": 3, "reach_distance": 1.0}}) == {
+        "navigation": {"reach_distance": 1.0}
+    }
+    config = MissionConfig.from_toml("[navigation]\nmemory_widths = 1\n")
+    assert config.to_dict() == MissionConfig().to_dict()
+    with pytest.warns(DeprecationWarning, match="memory_widths"):
+        config.navigation.memory_widths = 1

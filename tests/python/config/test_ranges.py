@@ -75,7 +75,7 @@ def test_what_is_no_number_or_beyond_the_range_is_refused_by_name(key: str) -> N
         ("mapping.cell", [1e-9, 1e-9, 1e-9]),
         ("mapping.max_range", 1e300),
         ("lidar.max_range", 1e-300),
-        ("navigation.memory_widths", 10**6),
+        ("navigation.max_detour", 1e300),
         ("navigation.escape_distance", 1e300),
     ],
 )

@@ -143,7 +143,7 @@ class ConcurrentTrajectoryPlanner {
 
   // The planning thread.
   Navigator navigator_;
-  OccupancyGrid known_;  ///< occupied cells of the snapshot decided on last
+  OccupancyGrid known_;  ///< blocked cells of the snapshot decided on last
   std::int64_t known_route_ = 0;
   std::int64_t known_priority_ = 0;
   std::int64_t known_clearings_ = 0;

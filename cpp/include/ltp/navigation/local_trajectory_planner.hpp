@@ -15,11 +15,9 @@
 
 namespace ltp {
 
-/// Holds the map, and a `Navigator` that decides on it. Replans when the path is blocked, when a
-/// waypoint is reached or dropped, when the UAV has left its path; never on a clock. Drops a
-/// waypoint only on proof: the map has it in a blocked cell, or a flood from it, over all that is
-/// remembered and sharing nothing with the planners, ends neither at the UAV nor at the edge of the
-/// known. No clock, no I/O, and no allocation in `sense` and `update` unless a plan is made.
+/// Holds the map, and a `Navigator` that decides on it, see there: when it replans, how it finds
+/// the way beyond the window, and what proves that a waypoint cannot be reached. No clock, no I/O,
+/// and no allocation in `sense` and `update` unless a plan is made.
 class LocalTrajectoryPlanner {
  public:
   /// @param planner   not null; owned
@@ -82,6 +80,8 @@ class LocalTrajectoryPlanner {
   [[deprecated("waypoint_index")]] int way_point_index() const { return waypoint_index(); }
 
  private:
+  void remember_before(const Point& position);
+
   ObstacleMap map_;
   Navigator navigator_;
 };

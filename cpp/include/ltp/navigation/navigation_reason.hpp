@@ -14,11 +14,11 @@ enum class NavigationReason {
   StartInGround,  ///< holds: it stands in the ground's cell or on it, and no free cell is near
   NoEscape,       ///< holds: the UAV stands too near to something, and no free cell can be reached
   WalledIn,       ///< holds: what the map holds surrounds the UAV
-  NoStopover,     ///< holds: the waypoint lies beyond the window, no point of the leg is reachable
   OutOfBudget,    ///< holds: the planner's budget ended first
   NoPath,         ///< holds: no path was found, and nothing proves that there is none
   GoalBlocked,    ///< dropped: the waypoint lies in a blocked cell
   Unreachable,    ///< dropped: proved, all around the waypoint is closed
+  TooFar,         ///< skipped: the way there is longer than `max_detour` allows
   AllDropped,     ///< finished: every waypoint was dropped
 };
 

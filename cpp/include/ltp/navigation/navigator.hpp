@@ -15,9 +15,12 @@
 #include "ltp/grid/raster.hpp"
 #include "ltp/navigation/navigation_reason.hpp"
 #include "ltp/navigation/obstacle_memory.hpp"
+#include "ltp/planning/grid_planner.hpp"
 #include "ltp/planning/planner.hpp"
 
 namespace ltp {
+
+class Route;
 
 struct NavigationOptions {
   AltitudeBand band{0.0,
@@ -32,17 +35,20 @@ struct NavigationOptions {
   std::int64_t max_expansions = 0;  ///< of a plan, see `Budget`; 0: no limit
   double time_limit = 0.0;          ///< of a plan, see `Budget` [s]; 0: no limit
 
-  /// How many windows wide the memory of obstacles is from which proofs are drawn, >= 1; 1 where
-  /// obstacles move.
-  int memory_widths = 3;
+  /// A waypoint that would cost more metres than the shortest way to it that was known at first, by
+  /// so many, is skipped as too far [m]; 0: none is.
+  double max_detour = 0.0;
+  /// Where the planner finds no path and a way is known, to fly the shortest one instead of
+  /// holding: for planners that are not complete, or have a tight budget.
+  bool fly_route = false;
 
   void check() const;
 };
 
 enum class NavigationStatus {
   Finished,   ///< no waypoint is left (or none was given)
-  Following,  ///< there is a path to the next waypoint, or towards it where it lies beyond the
-              ///< window
+  Following,  ///< there is a path to the next waypoint, or towards it where the way there leaves
+              ///< the window
   Escaping,   ///< the UAV stands in a blocked cell: the path leads to the nearest free one
   Holding,    ///< no path and no proof: stay, and try again when the map has changed
 };
@@ -53,9 +59,10 @@ std::string_view to_string(NavigationStatus status);
 struct WaypointEvent {
   int index = 0;         ///< of the waypoint, from 0
   bool reached = false;  ///< true: reached; false: dropped
-  /// Why it was dropped: `GoalBlocked` or `Unreachable`, nothing else; `Found` if it was reached.
+  /// Why it was dropped: `GoalBlocked` or `Unreachable`, on proof, or `NoneFound`: it was skipped.
+  /// `Found` if it was reached.
   PlanStatus reason = PlanStatus::Found;
-  /// The same as it is told: `GoalBlocked` or `Unreachable`; `None` if it was reached.
+  /// The same as it is told: `GoalBlocked`, `Unreachable` or `TooFar`; `None` if it was reached.
   NavigationReason why = NavigationReason::None;
   Point position = Point::Zero();       ///< of the UAV [m]
   Point goal = Point::Zero();           ///< the waypoint [m]
@@ -83,11 +90,14 @@ struct MapView {
 bool hit_on_escape(const OccupancyGrid& occupied, const PathRef& path, double from,
                    const Point& position);
 
-/// Holds the waypoints and the plan. Replans when the path is blocked (an escape, which leads
-/// through blocked cells: when a hit lies on it or its end is free no more), when a waypoint is
-/// reached or dropped, when the UAV has left its path; never on a clock. Drops a waypoint only on
-/// proof: the map has it in a blocked cell, or a flood from it, over all that is remembered and
-/// sharing nothing with the planners, ends neither at the UAV nor at the edge of the known.
+/// Holds the waypoints and the plan. Plans in the window, but with all that is remembered; where
+/// the shortest way to the waypoint leaves the window, to a stopover on it. Replans when the path
+/// is blocked (an escape, which leads through blocked cells: when a hit lies on it or its end is
+/// free no more), when a waypoint or a stopover is reached or a waypoint dropped, when the UAV has
+/// left its path; never on a clock. Drops a waypoint only on proof: it lies in a blocked cell, or a
+/// flood from it, over all that is remembered and sharing nothing with any search, ends neither at
+/// the UAV nor at the edge of the known. In a world that stands still every waypoint is reached or
+/// dropped after finitely many metres: see docs/method.md.
 class Navigator {
  public:
   /// @param planner           not null; owned
@@ -103,10 +113,11 @@ class Navigator {
   void set_waypoints(const PathRef& waypoints);
   void set_priority(Raster priority);
 
-  /// Keeps what a window holds for proofs; to be told before the map forgets it.
-  void remember(const OccupancyGrid& occupied) { memory_.remember(occupied); }
+  /// Keeps what a window has blocked; to be told before the map forgets it.
+  void remember(const OccupancyGrid& blocked) { memory_.remember(blocked); }
   /// Forgets what was kept, with a map that was cleared: no proof rests on obstacles that are gone.
   void forget() { memory_.clear(); }
+  const ObstacleMemory& memory() const { return memory_; }
 
   /// Decides what to do at a position inside the map's window [m]. `interrupted` ends a long
   /// search. Allocates nothing unless a plan is made.
@@ -139,17 +150,24 @@ class Navigator {
   bool finished() const { return next_ >= waypoints_.rows(); }
   Point waypoint(int index) const { return waypoints_.row(index).transpose(); }
   void retire(const MapView& map, NavigationReason why, const Point& position);
+  void begin_leg();
+  bool is_at(const GridFrame& frame, const Point& position, const Point& point) const;
   void take_reached(const MapView& map, const Point& position);
   bool must_replan(const MapView& map, const Point& position);
   void replan(const MapView& map, const Point& position, const std::function<bool()>& interrupted);
-  bool proved_unreachable(const MapView& map, const Point& position, const Point& goal);
-  std::optional<Point> target_inside(const MapView& map, const Point& position,
-                                     const LevelRange& levels);
-  std::optional<Point> escape_point(const MapView& map, const Point& position) const;
-  NavigationReason why_no_path(const MapView& map, const Point& position, const LevelRange& levels,
-                               NavigationReason otherwise);
-  void follow(NavigationStatus status, const Path& path, const Point& target);
-  void hold(NavigationReason reason);
+  void recall(const MapView& map);
+  NavigationReason set_out(const Point& position, const std::function<bool()>& interrupted);
+  NavigationReason take_route(const Query& query, const Plan* inside,
+                              const std::function<bool()>& interrupted);
+  void escape(const MapView& map, const Point& position);
+  std::optional<Point> escape_point(const MapView& map, const Point& position);
+  Query query_to(const Point& position, const Point& goal);
+  Point towards(const Query& query);
+  const Plan& ask(const Query& query, const std::function<bool()>& interrupted);
+  bool is_stalled();
+  bool is_too_far();
+  NavigationReason follow(NavigationStatus status, const Path& path);
+  NavigationReason hold(NavigationReason reason);
   void finish();
   void give_up_path();
 
@@ -157,8 +175,8 @@ class Navigator {
   NavigationOptions options_;
   Raster priority_;
   Path waypoints_ = Path(0, 3);
-  Point leg_begin_ = Point::Zero();  ///< where the leg to the current waypoint began
   int next_ = 0;
+  std::optional<AltitudeRange> altitudes_;  ///< of the leg, from its first plan on
   std::vector<WaypointEvent> events_;
 
   NavigationStatus status_ = NavigationStatus::Finished;
@@ -168,14 +186,21 @@ class Navigator {
       Point::Zero();       ///< the end of `path_`: a waypoint, or a stopover on the way to it
   bool stopover_ = false;  ///< whether `target_` is not the waypoint itself
   double progress_ = 0.0;  ///< arc length of `path_` already flown [m]
-  Point last_position_ = Point::Zero();  ///< of the UAV, where `progress_` was noted [m]
+  Point last_position_ = Point::Zero();  ///< of the UAV [m]
   std::int64_t path_id_ = 0;
   std::int64_t planned_on_ = kNoVersion;  ///< version of the map that was last planned on
   std::vector<PlanRecord> plans_;
   std::int64_t plans_made_ = 0;
-  int plans_for_waypoint_ = 0;
-  std::unique_ptr<planning::Flood> flood_;
+
   ObstacleMemory memory_;
+  OccupancyGrid known_;  ///< of the window: what it has blocked, and what is remembered
+  std::unique_ptr<Route> route_;
+  // Of the way to the current waypoint.
+  double flown_ = 0.0;                     ///< since it became the next one [m]
+  std::optional<double> first_length_;     ///< of the way to it that was known at first [m]
+  double least_left_ = 0.0;                ///< shortest so far on the same map [m]
+  std::int64_t measured_on_ = kNoVersion;  ///< version of the memory for `least_left_`
+  int stalls_ = 0;                         ///< times in a row that the way had grown no shorter
 };
 
 }  // namespace ltp

@@ -11,15 +11,14 @@
 namespace ltp::planning {
 namespace {
 
-constexpr std::int64_t kPatience = 16384;  // expansions before the flood
-
 /// Buckets are narrower than the shortest step by so many powers of two.
 constexpr int kNarrower = 4;
 constexpr int kMostRingBits = 12;
 
 }  // namespace
 
-ShortestPath::ShortestPath() : proof_(UnreachableProof::From::Start, kPatience) {}
+ShortestPath::ShortestPath(std::int64_t patience)
+    : proof_(UnreachableProof::From::Start, patience) {}
 
 PlanStatus ShortestPath::run(const Problem& problem, BudgetWatch& budget, SearchStats& stats) {
   PlanStatus status = PlanStatus::NoneFound;

@@ -26,7 +26,9 @@ namespace ltp::planning {
 /// and the search runs straight along it.
 class ShortestPath {
  public:
-  ShortestPath();
+  /// @param patience  expansions before a flood from the start looks for a proof that there is no
+  ///     path, which costs what the start can reach; 0: none does
+  explicit ShortestPath(std::int64_t patience = kPatience);
 
   /// Start and goal must lie in two cells. Adds what it did to `stats`. A search that has been told
   /// to stop answers `OutOfBudget`.
@@ -36,6 +38,8 @@ class ShortestPath {
   const std::vector<Cell>& chain() const { return chain_; }
 
  private:
+  static constexpr std::int64_t kPatience = 16384;
+
   /// How a cell was reached, the better the less: its distance to the goal, then the last step (6
   /// bits; from `kSteps` on the first from the goal, whose length is its own).
   using Label = std::uint64_t;

@@ -39,6 +39,7 @@ class FlightRow:
     waypoints: int  # to reach: the start is none
     reached: int  # waypoints reached
     dropped: int  # waypoints dropped as proved unreachable
+    too_far: int = 0  # waypoints skipped as too far; there were none before `max_detour`
     dropped_goal_blocked: int  # of these: the waypoint lay in a blocked cell
     dropped_unreachable: int  # of these: no free path led there
     wrongly_dropped: int  # of these: the true world's own cells have a way there
