@@ -22,8 +22,8 @@ inline double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Answers all queries in each iteration. Counters: the median query and the worst, each at its
-/// best; cells settled a query, and the time of each if there were any.
+/// Answers all queries in each iteration. Counters: the median query, the 95th percentile and the
+/// worst, each at its best; cells settled a query, and the time of each if there were any.
 /// @param answer  (const Query&) -> how many cells it settled
 template <typename Answer>
 void each_query(benchmark::State& state, const std::vector<Query>& queries, Answer&& answer) {
@@ -41,6 +41,7 @@ void each_query(benchmark::State& state, const std::vector<Query>& queries, Answ
   }
   std::sort(best.begin(), best.end());
   state.counters["a_query"] = best[best.size() / 2];
+  state.counters["p95_query"] = best[best.size() * 95 / 100];
   state.counters["worst_query"] = best.back();
   state.counters["settled"] =
       settled / static_cast<double>(state.iterations()) / static_cast<double>(queries.size());
