@@ -41,13 +41,16 @@ Point last_inside(const GridFrame& frame, const Point& from, const Point& to) {
 
 }  // namespace
 
-Route::Route() : search_(kNeverFlood), nothing_(Raster::Values::Zero(1, 1), {0, 0}, 1.0) {}
+Route::Route() : search_(kNeverFlood) {}
 
 PlanStatus Route::find(const OccupancyGrid& known, const Query& query,
                        const std::function<bool()>& interrupted) {
   path_.resize(0, 3);
   length_ = 0.0;
-  const Problem problem({known, nothing_}, query, {});
+  // No priority, in a raster that is plainly one with the columns.
+  const GridFrame& frame = known.frame();
+  const Raster nothing(Raster::Values::Zero(1, 1), frame.origin().head<2>(), frame.cell().x());
+  const Problem problem({known, nothing}, query, {});
   if (const std::optional<PlanStatus> refused = problem.refused()) return *refused;
   if (problem.within_a_cell()) {
     path_ = path_through(problem, {});

@@ -39,7 +39,6 @@ class Route {
 
   planning::ShortestPath search_;
   planning::Flood flood_;
-  Raster nothing_;  ///< no priority
   Path path_ = Path(0, 3);
   double length_ = 0.0;  ///< [m]
 };
