@@ -16,7 +16,10 @@ OPTIONS = [
     if inspect.isclass(kind) and (kind.__name__.endswith("Options") or "check" in vars(kind))
 ]
 LISTED = [kind for kind in vars(_core).values() if hasattr(kind, "__fields__")]
-DEPRECATED = {ltp.PlannerOptions: {"length_weight", "priority_weight", "pareto", "bug"}}
+DEPRECATED = {
+    ltp.PlannerOptions: {"length_weight", "priority_weight", "pareto", "bug"},
+    ltp.NavigationOptions: {"memory_widths"},
+}
 
 
 def test_there_are_options_to_look_at() -> None:
