@@ -30,7 +30,8 @@ CPP_FLOORS = [
 PLANNING_FLOORS = [
     {"budget"},
     {"planner"},
-    {"column_scene"},
+    {"altitudes", "column_scene"},
+    {"gate_region"},
     {"grid_planner"},
     {"search"},
     {"additive"},
@@ -237,7 +238,9 @@ def test_planning_installs_what_its_users_include_and_no_more() -> None:
     assert {path.name for path in public.iterdir()} == {
         "budget.hpp",
         "planner.hpp",
+        "altitudes.hpp",
         "column_scene.hpp",
+        "gate_region.hpp",
         "grid_planner.hpp",
         "planners.hpp",
         "planners",

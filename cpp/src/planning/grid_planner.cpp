@@ -15,19 +15,40 @@
 namespace ltp {
 namespace {
 
-constexpr double kWithin =
-    1e-9;  // what an altitude may be off, and a band may touch of a level [m]
+constexpr double kShortest = 1e-6;  // no path into a region that has no length [m]
 
 [[noreturn]] void broken(const std::string& what) {
   throw std::logic_error("ltp: a planner returned a path that " + what + " (please report this)");
 }
 
-void verify(const Problem& problem, const PathRef& path) {
-  const GridFrame& frame = problem.frame();
-  if (path.rows() < 2 || path.row(0) != problem.query.start.transpose() ||
-      path.row(path.rows() - 1) != problem.query.goal.transpose()) {
+void verify_ends(const Problem& problem, const PathRef& path) {
+  const Point last = path.row(path.rows() - 1).transpose();
+  if (path.row(0) != problem.query.start.transpose() ||
+      (!problem.has_gates() && last != problem.query.goal)) {
     broken("does not lead from start to goal");
   }
+}
+
+/// Where it passes the gates, arc lengths [m].
+std::vector<double> passed_by(const Problem& problem, const PathRef& path) {
+  std::vector<double> passed;
+  double so_far = 0.0;
+  for (Eigen::Index i = 0; i < path.rows(); ++i) {
+    if (i > 0) so_far += norm(Point((path.row(i) - path.row(i - 1)).transpose()));
+    if (!problem.has_gates()) continue;
+    const bool moved = i > 0 && path.row(i) != path.row(i - 1);
+    if (passed.size() == problem.gates.size() && moved) broken("goes on where it is served");
+    passed.resize(problem.passed_at(path.row(i).transpose(), passed.size()), so_far);
+  }
+  if (!problem.has_gates()) return {so_far};
+  if (passed.size() < problem.gates.size()) broken("does not pass all gates");
+  return passed;
+}
+
+void verify(const Problem& problem, const PathRef& path) {
+  const GridFrame& frame = problem.frame();
+  if (path.rows() < 2) broken("does not lead from start to goal");
+  verify_ends(problem, path);
   for (Eigen::Index i = 0; i < path.rows(); ++i) {
     const Cell cell = frame.cell_of(path.row(i).transpose());
     if (!frame.contains(cell)) broken("leaves the window");
@@ -39,60 +60,90 @@ void verify(const Problem& problem, const PathRef& path) {
 
 }  // namespace
 
-void check_query(const Query& query) {
-  check::finite("start", query.start);
-  check::finite("goal", query.goal);
-  // An infinite band is open to the whole window.
-  if (!(query.band.below >= 0.0)) check::fail("band.below", query.band.below, "a number >= 0");
-  if (!(query.band.above >= 0.0)) check::fail("band.above", query.band.above, "a number >= 0");
-}
-
-bool AltitudeRange::contains(double z) const {
-  const double rounding = kWithin + 1e-15 * std::abs(z);
-  return z >= lowest - rounding && z <= highest + rounding;
-}
-
-AltitudeRange altitudes_of(const Query& query) {
-  return {std::min(query.start.z(), query.goal.z()) - query.band.below,
-          std::max(query.start.z(), query.goal.z()) + query.band.above};
-}
-
-LevelRange levels_of(const GridFrame& frame, const Query& query) {
-  const auto level = [&](double z) {
-    if (z <= frame.origin().z()) return 0;  // an open band has no cell of its own
-    if (z >= frame.upper().z()) return frame.nz() - 1;
-    return std::clamp(frame.cell_of(Point(query.start.x(), query.start.y(), z)).z(), 0,
-                      frame.nz() - 1);
-  };
-  const AltitudeRange open = altitudes_of(query);
-  const double face = kWithin * std::min(1.0, frame.cell().z());
-  const std::pair<int, int> ends = std::minmax({level(query.start.z()), level(query.goal.z())});
-  return {std::min(ends.first, level(open.lowest + face)),
-          std::max(ends.second, level(open.highest - face))};
-}
-
-Point vertex_of(const GridFrame& frame, const AltitudeRange& altitudes, const Cell& cell) {
-  Point point = frame.centre(cell);
-  point.z() = std::clamp(point.z(), altitudes.lowest, altitudes.highest);
-  return point;
-}
-
 Problem::Problem(const Scene& the_scene, const Query& the_query, const PenaltyWeights& the_weights)
     : scene(the_scene), query(the_query), weights(the_weights) {
   check_query(query);
   start = frame().cell_of(query.start);
   goal = frame().cell_of(query.goal);
-  altitudes = altitudes_of(query);
-  levels = levels_of(frame(), query);
-  direct_length = norm(query.goal - query.start);
+  resolve();
+  while (!gates.empty()) {
+    const std::size_t usable = usable_gates();
+    if (usable == gates.size()) break;
+    query.then.resize(usable - 1);
+    resolve();
+  }
+  passed_at_start = passed_at(query.start, 0);
   column_priority = is_constant_on_columns(scene.priority, frame());
 }
 
+/// What follows from the waypoints.
+void Problem::resolve() {
+  altitudes = altitudes_of(query);
+  levels = levels_of(frame(), query);
+  direct_length = ltp::direct_length(query);
+  least_length = direct_length;
+  gates.clear();
+  if (!query.has_gates()) return;
+  least_length = norm(query.goal - query.start);
+  for (std::size_t i = 0; i < query.then.size(); ++i) {
+    least_length += norm(query.then[i].point - (i == 0 ? query.goal : query.then[i - 1].point));
+  }
+  gates.emplace_back(frame(), altitudes, levels,
+                     Gate{query.goal, query.gate_radius, query.gate_height});
+  for (const Gate& gate : query.then) gates.emplace_back(frame(), altitudes, levels, gate);
+  double farthest = kShortest;
+  for (std::size_t i = 0; i < gates.size(); ++i) {
+    const GateRegion& gate = gates[i];
+    const bool last = i + 1 == gates.size();
+    // The last is passed at its very point, and any other in its cell with it.
+    const bool with_last = gate.own() == gates.back().own();
+    const double own = last ? 0.0
+                            : std::max(norm(vertex(gate.own()) - gate.gate().point),
+                                       with_last ? norm(last_point() - gate.gate().point) : 0.0);
+    const double reach = std::max(own, gate.reach());
+    farthest = std::max(farthest, norm(gate.gate().point - query.start) - reach);
+    least_length -= last ? reach : 2.0 * reach;
+  }
+  least_length = std::max(least_length, farthest);
+}
+
+/// The gates before the first one of the later ones that is blocked or beyond the window.
+std::size_t Problem::usable_gates() const {
+  for (std::size_t i = 1; i < gates.size(); ++i) {
+    if (!gates[i].any_free(grid())) return i;
+  }
+  return gates.size();
+}
+
+std::size_t Problem::passed_at(const Point& point, std::size_t passed) const {
+  for (; passed < gates.size(); ++passed) {
+    const GateRegion& gate = gates[passed];
+    const bool at_its_point = passed + 1 == gates.size() ? point == gate.gate().point
+                                                         : frame().cell_of(point) == gate.own();
+    if (!at_its_point && !gate.contains(point)) break;
+  }
+  return passed;
+}
+
 std::optional<PlanStatus> Problem::refused() const {
-  if (!frame().contains(start) || !frame().contains(goal)) return PlanStatus::OutsideMap;
-  if (grid().blocked(goal)) return PlanStatus::GoalBlocked;
+  const bool outside = has_gates() ? gates.front().outside() : !frame().contains(goal);
+  if (!frame().contains(start) || outside) return PlanStatus::OutsideMap;
+  if (has_gates() ? !gates.front().any_free(grid()) : grid().blocked(goal)) {
+    return PlanStatus::GoalBlocked;
+  }
   if (grid().blocked(start)) return PlanStatus::StartBlocked;
   return std::nullopt;
+}
+
+/// Whether a chain's end is the last waypoint's very point: where that passes all that is left.
+static bool ends_at_point(const Problem& problem, const std::vector<Cell>& chain,
+                          const PathRef& path) {
+  if (chain.back() != problem.gates.back().own()) return false;
+  std::size_t passed = problem.passed_at_start;
+  for (Eigen::Index i = 1; i + 1 < path.rows(); ++i) {
+    passed = problem.passed_at(path.row(i).transpose(), passed);
+  }
+  return problem.passed_at(problem.last_point(), passed) == problem.gates.size();
 }
 
 Path path_through(const Problem& problem, const std::vector<Cell>& chain) {
@@ -102,12 +153,28 @@ Path path_through(const Problem& problem, const std::vector<Cell>& chain) {
     path.row(i) = problem.vertex(chain[i]).transpose();
   }
   path.row(0) = problem.query.start.transpose();
-  path.row(path.rows() - 1) = problem.query.goal.transpose();
+  Point end = problem.last_point();
+  if (problem.served()) {
+    end = problem.query.start;
+  } else if (problem.has_gates() && !ends_at_point(problem, chain, path)) {
+    end = problem.vertex(chain.back());
+  }
+  path.row(path.rows() - 1) = end.transpose();
   return path;
 }
 
+Path until_served(const Problem& problem, const PathRef& path) {
+  std::size_t passed = problem.passed_at_start;
+  Eigen::Index last = 1;
+  for (; last + 1 < path.rows(); ++last) {
+    passed = problem.passed_at(path.row(last).transpose(), passed);
+    if (passed == problem.gates.size()) break;
+  }
+  return path.topRows(last + 1);
+}
+
 Plan accepted(const Problem& problem, Path path, const Plan& plan) {
-  if (problem.query.start == problem.query.goal) path = path_through(problem, {});  // no loops
+  if (problem.served()) path = path_through(problem, {});  // no loops
   verify(problem, path);
   Plan better;
   better.bound = plan.bound;
@@ -115,10 +182,11 @@ Plan accepted(const Problem& problem, Path path, const Plan& plan) {
   better.stats = plan.stats;
   better.status = PlanStatus::Found;
   better.path = std::move(path);
+  better.passed = passed_by(problem, better.path);
   better.tally = tally(better.path, problem.scene.priority);
-  const Point& goal = problem.query.goal;
+  const Point end = better.path.row(better.path.rows() - 1).transpose();
   better.penalty = Penalty(problem.weights, problem.direct_length)(
-      better.tally, problem.scene.priority.at(goal.x(), goal.y()));
+      better.tally, problem.scene.priority.at(end.x(), end.y()));
   return better;
 }
 
@@ -153,20 +221,48 @@ GridPlanner::GridPlanner(const PlannerInfo& info, const PenaltyWeights& weights)
   weights.check();
 }
 
+/// A problem that its traits allow.
+Plan GridPlanner::plan_for(const Problem& problem, BudgetWatch& watch, SearchStats& stats) {
+  Answer answer(problem, watch);
+  answer.stats = stats;
+  if (const std::optional<PlanStatus> refused = problem.refused()) {
+    answer.end(*refused);
+  } else if (problem.has_gates() && problem.served()) {
+    answer.offer(std::vector<Cell>{problem.start});
+    if (info_.has(Trait::Bounds)) answer.prove(answer.plan().penalty);  // the only path
+  } else {
+    search(problem, answer);
+  }
+  stats = answer.stats;
+  return answer.take();
+}
+
+void GridPlanner::check_traits(const Query& query) const {
+  if (query.has_gates() && !info_.has(Trait::Regions)) {
+    check::fail("gate_radius", query.gate_radius, "0: this planner needs `make_gated` for regions");
+  }
+  if (!query.then.empty() && !info_.has(Trait::Horizon)) {
+    check::fail("then", query.then.size(), "no further gates: this planner needs `make_gated`");
+  }
+}
+
 Plan GridPlanner::plan(const Scene& scene, const Query& query, const Budget& budget) {
   BudgetWatch watch(budget);
   const Stopwatch stopwatch;
   check_query(query);
-  const Problem problem(seen_.of(scene), query, weights_);
-  Answer answer(problem, watch);
-  if (const std::optional<PlanStatus> refused = problem.refused()) {
-    answer.end(*refused);
-  } else {
-    search(problem, answer);
+  check_traits(query);
+  const Scene seen = seen_.of(scene);
+  SearchStats stats;
+  Plan plan = plan_for(Problem(seen, query, weights_), watch, stats);
+  // No way leads to one of them: which one, the search does not say.
+  for (Query fewer = query; plan.status == PlanStatus::Unreachable && !fewer.then.empty();) {
+    fewer.then.resize(Problem(seen, fewer, weights_).query.then.size());
+    if (fewer.then.empty()) break;
+    fewer.then.pop_back();
+    plan = plan_for(Problem(seen, fewer, weights_), watch, stats);
   }
-  Plan plan = answer.take();
   plan.priority_resampled = seen_.resampled();
-  plan.stats = answer.stats;
+  plan.stats = stats;
   plan.stats.seconds = stopwatch.seconds();
   return plan;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ltp/geometry/check.hpp"
+#include "ltp/planning/planners/gated.hpp"
 #include "ltp/planning/planners/ggwp.hpp"
 #include "ltp/planning/planners/length_priority.hpp"
 #include "planning/planners/refine.hpp"
@@ -47,26 +48,28 @@ constexpr auto Baseline = PlannerFamily::Baseline;
 constexpr unsigned kExactGrid = Trait::Complete | Trait::OnGrid;
 constexpr unsigned kPriority = Trait::UsesPriority;
 constexpr unsigned kCertified = kExactGrid | kPriority | Trait::Bounds;
+constexpr unsigned kGates = Trait::Regions | Trait::Horizon;
+constexpr unsigned kLiteral = kExactGrid | kPriority | Trait::Regions;
 
 constexpr Row kRows[] = {
-    {{"lp-dijkstra", "LP-Dijkstra", Paper, kExactGrid | kPriority}, length_priority<0>},
-    {{"lp-a-star", "LP-A*", Paper, kExactGrid | kPriority}, length_priority<1>},
-    {{"wlp-a-star", "WLP-A* (√3)", Paper, kExactGrid | kPriority}, length_priority<3>},
+    {{"lp-dijkstra", "LP-Dijkstra", Paper, kLiteral}, length_priority<0>},
+    {{"lp-a-star", "LP-A*", Paper, kLiteral}, length_priority<1>},
+    {{"wlp-a-star", "WLP-A* (√3)", Paper, kLiteral}, length_priority<3>},
     {{"ggwp", "GGWP", Paper, kExactGrid},
      [](const PlannerInfo& i, const PlannerOptions& o) { return make_ggwp(i, o.weights); }},
     {{"bezier", "Bézier", Paper, kPriority},
      [](const PlannerInfo& i, const PlannerOptions& o) {
        return make_bezier(i, o.weights, o.bezier);
      }},
-    {{"additive", "Additive A*", Ours, kCertified | Trait::Remembers},
+    {{"additive", "Additive A*", Ours, kCertified | Trait::Remembers | kGates},
      [](const PlannerInfo& i, const PlannerOptions& o) {
        return make_linearised(i, o.weights, one_search(o.linearised));
      }},
-    {{"sweep", "Sweep", Ours, kCertified | Trait::Remembers | Trait::Anytime},
+    {{"sweep", "Sweep", Ours, kCertified | Trait::Remembers | Trait::Anytime | kGates},
      [](const PlannerInfo& i, const PlannerOptions& o) {
        return make_linearised(i, o.weights, o.linearised);
      }},
-    {{"exact", "Exact", Ours, kCertified},
+    {{"exact", "Exact", Ours, kCertified | kGates},
      [](const PlannerInfo& i, const PlannerOptions& o) {
        return make_exact(i, o.weights, o.exact, o.linearised);
      }},
@@ -74,7 +77,7 @@ constexpr Row kRows[] = {
      [](const PlannerInfo& i, const PlannerOptions& o) {
        return make_ara_star(i, o.weights, o.ara, o.linearised.alpha);
      }},
-    {{"risk-a-star", "riskA*", Baseline, kExactGrid | kPriority},
+    {{"risk-a-star", "riskA*", Baseline, kExactGrid | kPriority | kGates},
      [](const PlannerInfo& i, const PlannerOptions& o) {
        return make_risk_a_star(i, o.weights, o.risk);
      }},
@@ -86,7 +89,7 @@ constexpr Row kRows[] = {
      [](const PlannerInfo& i, const PlannerOptions& o) {
        return make_hermite(i, o.weights, o.hermite);
      }},
-    {{"auto", "Auto", Ours, kCertified | Trait::Remembers | Trait::Anytime},
+    {{"auto", "Auto", Ours, kCertified | Trait::Remembers | Trait::Anytime | kGates},
      [](const PlannerInfo& i, const PlannerOptions& o) {
        return make_linearised(i, o.weights, brief(o.linearised));
      }},
@@ -136,7 +139,7 @@ const PlannerInfo& planner_info(std::string_view name) { return row_of(name).inf
 std::unique_ptr<Planner> make_planner(std::string_view name, const PlannerOptions& options) {
   const Row& row = row_of(name);
   options.check();
-  std::unique_ptr<Planner> planner = row.make(row.info, options);
+  std::unique_ptr<Planner> planner = make_gated(row.make(row.info, options), options.weights);
   if (!options.refine) return planner;
   return planning::make_refined(std::move(planner), options.weights);
 }

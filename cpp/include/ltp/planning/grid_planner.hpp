@@ -7,38 +7,17 @@
 #include <vector>
 
 #include "ltp/grid/neighbourhood.hpp"
+#include "ltp/planning/altitudes.hpp"
 #include "ltp/planning/column_scene.hpp"
+#include "ltp/planning/gate_region.hpp"
 #include "ltp/planning/planner.hpp"
 
 namespace ltp {
 
-/// Throws `std::invalid_argument` for a point that is not finite or a band below zero.
-void check_query(const Query& query);
-
-/// The altitudes that a path may have [m].
-struct AltitudeRange {
-  double lowest;
-  double highest;
-
-  /// Whether an altitude is one of them, to within 1e-9 m.
-  bool contains(double z) const;
-};
-
-/// From the lower of a query's ends less what its band allows below, to the higher one and what it
-/// allows above.
-AltitudeRange altitudes_of(const Query& query);
-
-/// The levels that a query's band leaves open, clipped to the frame: those of both ends, and those
-/// that hold more of its altitudes than a touched face.
-LevelRange levels_of(const GridFrame& frame, const Query& query);
-
-/// Where a path passes a cell of a query's levels: the cell's centre, or the altitude nearest to it
-/// that the query allows. It lies in the cell.
-Point vertex_of(const GridFrame& frame, const AltitudeRange& altitudes, const Cell& cell);
-
 /// A query on the cells of a scene's grid, which is borrowed.
 struct Problem {
-  /// Throws as `check_query` does.
+  /// Throws as `check_query` does. Of the waypoints after the goal it keeps, in `query` too, those
+  /// before the first one that is blocked or beyond the window.
   Problem(const Scene& scene, const Query& query, const PenaltyWeights& weights);
 
   const OccupancyGrid& grid() const { return scene.occupancy; }
@@ -61,8 +40,24 @@ struct Problem {
   bool even() const {
     return levels.count() == 1 || (central(levels.lowest) && central(levels.highest));
   }
-  /// Whether the start lies in the goal's cell.
-  bool within_a_cell() const { return start == goal; }
+  /// Whether the goal is a region, or there are several.
+  bool has_gates() const { return !gates.empty(); }
+  /// How many gates a path has passed at a point where it had passed so many before. The last one
+  /// is passed in its region or at its very point, the others in their points' cells too.
+  std::size_t passed_at(const Point& point, std::size_t passed) const;
+  /// Whether all that is asked for has been done at the start.
+  bool served() const {
+    return has_gates() ? passed_at_start == gates.size() : query.start == query.goal;
+  }
+  /// Where all paths end that are not served at the start, if that is the cell of the start.
+  bool within_a_cell() const {
+    if (!has_gates()) return start == goal;
+    return served() || (passed_at_start + 1 == gates.size() && start == gates.back().own());
+  }
+  /// The point of the last waypoint.
+  const Point& last_point() const {
+    return query.then.empty() ? query.goal : query.then.back().point;
+  }
 
   Scene scene;
   Query query;
@@ -72,18 +67,30 @@ struct Problem {
   AltitudeRange altitudes;
   LevelRange levels;
   double direct_length;  ///< L_direct [m]
+  double least_length;   ///< no path is shorter [m]
   bool column_priority;  ///< one priority holds for each column: what searches see is true
+  /// The regions to be passed, in order; none where the goal is a point and the only one.
+  std::vector<GateRegion> gates;
+  std::size_t passed_at_start = 0;  ///< of the gates
+
+ private:
+  std::size_t usable_gates() const;
+  void resolve();
 };
 
 /// The polyline through the vertices of a chain of cells, start ... goal, with its ends moved to
-/// the query's; at least two points, also where start and goal are one.
+/// the query's (in a region only in the cell of the waypoint's point, where all gates are passed at
+/// that); at least two points, also where start and goal are one.
 Path path_through(const Problem& problem, const std::vector<Cell>& chain);
+
+/// A path as far as the first of its vertices at which it has passed all gates.
+Path until_served(const Problem& problem, const PathRef& path);
 
 /// A plan with another path: that is checked, stored and tallied, and Eq. (5) evaluated. Where
 /// start and goal are one the path is that point, twice, whatever is given. The check is an exact
 /// walk that shares nothing with the searches: throws `std::logic_error` if the path touches a
-/// blocked cell, leaves the window, its levels or its altitudes, or does not lead from start to
-/// goal.
+/// blocked cell, leaves the window, its levels or its altitudes, does not lead from start to goal,
+/// or passes not all gates or goes on when it has.
 Plan accepted(const Problem& problem, Path path, const Plan& plan = {});
 
 /// What a search says of a problem: the best of the paths that it offers, or why there is none.
@@ -118,7 +125,8 @@ class Answer {
 };
 
 /// Puts the priority on the grid's columns, resolves the query, lets `search` answer it unless it
-/// is answered already, and takes the time.
+/// is answered already, and takes the time. Gates that it has no trait for are refused:
+/// `make_gated` serves them all the same.
 class GridPlanner : public Planner {
  public:
   const PlannerInfo& info() const final { return info_; }
@@ -130,9 +138,14 @@ class GridPlanner : public Planner {
   const PenaltyWeights& weights() const { return weights_; }
 
  private:
-  /// Start and goal lie in free cells of the window. Offers paths, counts in `answer.stats`, and
-  /// asks `answer.budget` as it goes on. A search that says nothing has found nothing.
+  /// Start and goal lie in free cells of the window, or no gate is without one. Offers paths,
+  /// counts in `answer.stats`, and asks `answer.budget` as it goes on. A search that says nothing
+  /// has found nothing. Problems with a region, and with several, come to planners with the traits
+  /// `Regions` and `Horizon` only.
   virtual void search(const Problem& problem, Answer& answer) = 0;
+
+  Plan plan_for(const Problem& problem, BudgetWatch& watch, SearchStats& stats);
+  void check_traits(const Query& query) const;
 
   PlannerInfo info_;
   PenaltyWeights weights_;

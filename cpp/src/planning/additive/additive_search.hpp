@@ -3,6 +3,7 @@
 // `AdditiveSearch`: one exact A* for an edge cost that is a sum, the linearised penalty.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -21,15 +22,20 @@ struct AdditiveResult {
   PlanStatus status = PlanStatus::NoneFound;
   double cost =
       0.0;  ///< Found: of the best path. Out of budget: no path through centres costs less
-  std::vector<Cell> chain;  ///< start ... goal
+  std::vector<Cell> chain;  ///< start ... goal; through several gates a cell may come twice
 };
 
-/// A* from start to goal. The graph is the planners' own: the vertices, with start and goal
+/// A* from start to goal, or through the gates of a problem: a state is a cell and how many gates
+/// have been passed. The graph is the planners' own: the vertices, with start and goal
 /// themselves in place of the centres of their cells. It begins at the start, since that is where
 /// the obstacles are that a UAV has seen, and its heuristic knows none: the exact cost over the
 /// columns to the goal, and the least that a change of height adds. A goal that is walled in is
 /// proved so from the goal's side: closely by a glance, widely by a flood once the search has grown
-/// long.
+/// long (from the start, where the goal is a region).
+///
+/// Passing a gate leads into its layer of states: a cell of it is entered as one of the next layer,
+/// since whoever has passed it can do all that one who has not can. The heuristic of a layer is the
+/// cost over the columns to its gate and on through all later ones.
 class AdditiveSearch {
  public:
   AdditiveSearch();
@@ -45,18 +51,40 @@ class AdditiveSearch {
     double cost = 0.0;  ///< from the start to here
     std::uint32_t stamp = 0;
     std::int8_t from_start = -1;  ///< number of the step that led here; -1: not labelled
+    std::uint8_t passes = 0;      ///< gates that this step passes
+  };
+  /// The cheapest way to the end of all that is found.
+  struct End {
+    double cost = std::numeric_limits<double>::infinity();
+    Cell cell = Cell::Zero();
+    Node by;                 ///< its last step
+    bool by_vertex = false;  ///< in its cell it goes by the vertex to the waypoint's point
   };
 
   bool begin(const Problem& problem, const AdditiveCost& cost, double longest);
+  void enter(const Problem& problem, const AdditiveCost& cost, const Node& by, const Point& from,
+             const Cell& cell, std::size_t layer);
+  void enter_in_place(const Problem& problem, const AdditiveCost& cost, SearchStats& stats);
+  void aim(const Problem& problem, const AdditiveCost& cost, double longest);
   void set_climbs(const Problem& problem, double metre);
-  std::pair<PlanStatus, double> search(const Problem& problem, const AdditiveCost& cost,
-                                       BudgetWatch& budget, SearchStats& stats);
+  void set_gate_climbs(const Problem& problem, double metre);
+  PlanStatus search(const Problem& problem, const AdditiveCost& cost, BudgetWatch& budget,
+                    SearchStats& stats);
+  void trace_back(const Problem& problem, std::vector<Cell>& chain) const;
+
+  std::uint32_t state(std::size_t layer, const Cell& cell) const {
+    return static_cast<std::uint32_t>(layer) * layer_size_ + space_.index(cell);
+  }
+  double& climb(std::size_t layer, int level) { return climbs_[layer * levels_ + level]; }
 
   LevelLengths lengths_;
-  std::vector<double> climbs_;  ///< the least that a change of height adds, by level
+  std::vector<double> climbs_;  ///< the least that a change of height adds, by layer and level
+  std::size_t levels_ = 0;      ///< so many in a layer
   SearchSpace<Node> space_;
   BucketQueue open_;
-  ColumnCosts field_;
+  std::uint32_t layer_size_ = 0;     ///< states in a layer
+  std::vector<ColumnCosts> fields_;  ///< to what is still to be passed, by layer
+  End end_;
   UnreachableProof proof_;
 };
 

@@ -13,17 +13,17 @@ namespace {
 
 /// The least cost of a step into the goal from each of the 3 x 3 columns round it, its own in the
 /// middle, over the levels that the query leaves open.
-std::array<double, 9> last_steps(const Problem& problem, const AdditiveCost& cost) {
+std::array<double, 9> last_steps(const Problem& problem, const AdditiveCost& cost, const Cell& goal,
+                                 const Point& point) {
   std::array<double, 9> least;
   least.fill(std::numeric_limits<double>::infinity());
   for (int dx = -1; dx <= 1; ++dx) {
     for (int dy = -1; dy <= 1; ++dy) {
       double& mine = least[(dx + 1) * 3 + dy + 1];
       for (int dz = -1; dz <= 1; ++dz) {
-        const Cell from = problem.goal + Cell(dx, dy, dz);
-        if (from == problem.goal || !problem.levels.contains(from)) continue;
-        mine = std::min(
-            mine, cost.along(problem.scene.priority, problem.vertex(from), problem.query.goal));
+        const Cell from = goal + Cell(dx, dy, dz);
+        if (from == goal || !problem.levels.contains(from)) continue;
+        mine = std::min(mine, cost.along(problem.scene.priority, problem.vertex(from), point));
       }
     }
   }
@@ -47,17 +47,77 @@ void ColumnCosts::aim(const Problem& problem, const AdditiveCost& cost, double l
   next.anchor = frame.lattice(Point::Zero());
   next.goal = {goal.x() + frame.first().x(), goal.y() + frame.first().y()};
   next.size = {2 * frame.nx() + 1, 2 * frame.ny() + 1};
-  next.last = last_steps(problem, cost);
+  next.last = last_steps(problem, cost, goal, problem.query.goal);
   raster_ = &problem.scene.priority;
   start_ = {problem.start.x(), problem.start.y()};
   // The goal lies in the middle of the field.
   shift_ = {frame.nx() - goal.x(), frame.ny() - goal.y()};
   frame_ = &frame;
-  const bool stands = stamp_ > 0 && walls_ == nullptr && reach_.unbounded() && next == aim_;
+  const bool stands =
+      stamp_ > 0 && !of_gate_ && walls_ == nullptr && reach_.unbounded() && next == aim_;
   const bool walled = problem.levels.count() <= few;
-  reach_ = Ellipse(problem.query, longest);
+  reach_ = Ellipse(problem, longest);
   if (stands && !walled && reach_.unbounded()) return;
   aim_ = next;
+  of_gate_ = false;
+  look_at(problem, walled);
+  begin();
+  begin_round(goal, false);
+}
+
+void ColumnCosts::aim(const Problem& problem, const AdditiveCost& cost, std::size_t number,
+                      ColumnCosts* next, double longest, int few) {
+  const GridFrame& frame = problem.frame();
+  const GateRegion& gate = problem.gates[number];
+  const Cell most(frame.nx() - 1, frame.ny() - 1, frame.nz() - 1);
+  const Cell middle = gate.own().cwiseMax(0).cwiseMin(most);
+  raster_ = &problem.scene.priority;
+  start_ = {problem.start.x(), problem.start.y()};
+  shift_ = {frame.nx() - middle.x(), frame.ny() - middle.y()};
+  frame_ = &frame;
+  reach_ = Ellipse(problem, longest);
+  aim_ = Aim{};
+  aim_.cost = cost;
+  aim_.size = {2 * frame.nx() + 1, 2 * frame.ny() + 1};
+  of_gate_ = true;
+  look_at(problem, problem.levels.count() <= few);
+  begin();
+  const auto column = [&](int ix, int iy) { return index(ix + shift_[0], iy + shift_[1]); };
+  const auto add = [&](int ix, int iy) {
+    const double left = next == nullptr ? 0.0 : (*next)(ix, iy);
+    if (left < kFar) sources_.push_back({left, column(ix, iy)});
+  };
+  const bool tall = gate.levels().count() > 0;
+  for (int ix = gate.first().x(); tall && ix <= gate.last().x(); ++ix) {
+    for (int iy = gate.first().y(); iy <= gate.last().y(); ++iy) {
+      if (gate.covers(ix, iy)) add(ix, iy);
+    }
+  }
+  if (next != nullptr && frame.contains(gate.own())) add(gate.own().x(), gate.own().y());
+  add_last_point(problem, number);
+  std::sort(sources_.begin(), sources_.end(), [](const Source& a, const Source& b) {
+    return a.cost < b.cost || (a.cost == b.cost && a.column < b.column);
+  });
+}
+
+/// The last waypoint's very point, where a step to it passes all gates from this one on.
+void ColumnCosts::add_last_point(const Problem& problem, std::size_t number) {
+  const GateRegion& last = problem.gates.back();
+  const Cell& own = last.own();
+  if (!problem.frame().contains(own) || problem.grid().blocked(own)) return;
+  for (std::size_t i = number; i < problem.gates.size(); ++i) {
+    if (!problem.gates[i].contains(own)) return;
+  }
+  const Point& point = last.gate().point;
+  aim_.last = last_steps(problem, aim_.cost, own, point);
+  begin_round(own, true);
+  const double in_place = aim_.cost.along(problem.scene.priority, problem.vertex(own), point);
+  sources_.push_back({in_place, index(own.x() + shift_[0], own.y() + shift_[1])});
+}
+
+/// Reads the raster's cells under the columns, and the walls.
+void ColumnCosts::look_at(const Problem& problem, bool walled) {
+  const GridFrame& frame = problem.frame();
   walls_ = walled ? &problem.grid() : nullptr;
   if (walled) {
     const int words = problem.grid().words_per_column();
@@ -66,8 +126,8 @@ void ColumnCosts::aim(const Problem& problem, const AdditiveCost& cost, double l
   }
   for (std::size_t i = 0; i < 2; ++i) {
     std::vector<int>& numbers = i == 0 ? rows_ : lines_;
-    numbers.resize(next.size[i]);
-    for (int j = 0; j < next.size[i]; ++j) {
+    numbers.resize(aim_.size[i]);
+    for (int j = 0; j < aim_.size[i]; ++j) {
       Cell cell = Cell::Zero();
       cell[i] = j - shift_[i];
       numbers[j] = raster_->index_of(static_cast<int>(i), frame.centre(cell)[i]);
@@ -76,11 +136,10 @@ void ColumnCosts::aim(const Problem& problem, const AdditiveCost& cost, double l
   step_ = {frame.cell().x(), frame.cell().y(), frame.cell().head<2>().norm()};
   // The dearest step must fit into the ring of buckets; columns of one bucket may improve each
   // other. The last step leads off a lattice's centre, so it may be half as long again.
-  per_width_ = (kBuckets - 2) / (2.0 * cost.length * frame.cell().norm());
-  begin(goal);
+  per_width_ = (kBuckets - 2) / (2.0 * aim_.cost.length * frame.cell().norm());
 }
 
-void ColumnCosts::begin(const Cell& goal) {
+void ColumnCosts::begin() {
   now_ = 0;
   const std::size_t size = static_cast<std::size_t>(aim_.size[0]) * aim_.size[1];
   if (columns_.size() < size) columns_.resize(size);
@@ -91,10 +150,21 @@ void ColumnCosts::begin(const Cell& goal) {
   ++stamp_;
   buckets_.begin(kBuckets);
   waiting_ = 0;
+  sources_.clear();
+  begun_ = 0;
+}
+
+/// The ways begin with the last steps to the goal itself, from the columns round it.
+void ColumnCosts::begin_round(const Cell& goal, bool among_others) {
   for (int k = 0; k < 9; ++k) {
     const std::uint32_t column =
         index(goal.x() + shift_[0] + k / 3 - 1, goal.y() + shift_[1] + k % 3 - 1);
-    if (aim_.last[k] < kFar) offer(column, touch(column), aim_.last[k]);
+    if (!(aim_.last[k] < kFar)) continue;
+    if (among_others) {
+      sources_.push_back({aim_.last[k], column});
+    } else {
+      offer(column, touch(column), aim_.last[k]);
+    }
   }
 }
 
@@ -131,6 +201,13 @@ void ColumnCosts::offer(std::uint32_t column, Column& mine, double cost) {
 void ColumnCosts::advance() {
   const int row = aim_.size[1];
   const double length = aim_.cost.length;
+  if (waiting_ == 0 && begun_ < sources_.size()) {
+    now_ = std::max(now_, bucket(sources_[begun_].cost));
+  }
+  for (; begun_ < sources_.size() && bucket(sources_[begun_].cost) <= now_; ++begun_) {
+    const std::uint32_t column = sources_[begun_].column;
+    offer(column, touch(column), sources_[begun_].cost);
+  }
   std::vector<std::uint32_t>& here = buckets_[now_];
   while (!here.empty()) {
     emptied_.swap(here);

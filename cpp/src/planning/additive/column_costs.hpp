@@ -56,12 +56,17 @@ class ColumnCosts {
   void aim(const Problem& problem, const AdditiveCost& cost,
            double longest = std::numeric_limits<double>::infinity(), int few = kFewLevels);
 
+  /// Aims at a gate of a problem instead, by its number: at the columns of its region, each of
+  /// which costs what the next gate's field says (null: this is the last gate, nothing).
+  void aim(const Problem& problem, const AdditiveCost& cost, std::size_t number, ColumnCosts* next,
+           double longest = std::numeric_limits<double>::infinity(), int few = kFewLevels);
+
   /// The least cost from the centre of a column of the window to the goal; infinite if there is no
   /// way.
   double operator()(int ix, int iy) {
     const std::uint32_t column = index(ix + shift_[0], iy + shift_[1]);
     while (!settled(column)) {
-      if (waiting_ == 0) return kFar;
+      if (waiting_ == 0 && begun_ == sources_.size()) return kFar;
       advance();
     }
     return columns_[column].cost;
@@ -109,7 +114,16 @@ class ColumnCosts {
     const Column& mine = columns_[column];
     return mine.stamp == stamp_ && mine.cost < kFar && bucket(mine.cost) < now_;
   }
-  void begin(const Cell& goal);
+  /// A column where ways begin, and what is left from there.
+  struct Source {
+    double cost;
+    std::uint32_t column;
+  };
+
+  void look_at(const Problem& problem, bool walled);
+  void begin();
+  void add_last_point(const Problem& problem, std::size_t number);
+  void begin_round(const Cell& goal, bool among_others);
   void advance();
   void open(std::uint32_t column);
   void offer(std::uint32_t column, Column& mine, double cost);
@@ -133,7 +147,10 @@ class ColumnCosts {
   std::uint32_t stamp_ = 0;
   std::vector<Column> columns_;
   BucketRing<std::uint32_t> buckets_;
-  std::size_t waiting_ = 0;  ///< entries in all buckets
+  std::size_t waiting_ = 0;      ///< entries in all buckets
+  bool of_gate_ = false;         ///< aims at a gate; such a field is made anew each time
+  std::vector<Source> sources_;  ///< the cheapest first
+  std::size_t begun_ = 0;        ///< of the sources
   std::vector<std::uint32_t> emptied_;
 };
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "ltp/grid/frame.hpp"
-#include "ltp/planning/planner.hpp"
+#include "ltp/planning/grid_planner.hpp"
 #include "planning/search/column_priority.hpp"
 
 namespace ltp::planning {
@@ -18,8 +18,11 @@ struct Ellipse {
   double longest = std::numeric_limits<double>::infinity();
 
   Ellipse() = default;
-  Ellipse(const Query& query, double longest_path)
-      : start(query.start.head<2>()), goal(query.goal.head<2>()), longest(longest_path) {}
+  /// A path to a region may end short of its point, by the region's reach at most.
+  Ellipse(const Problem& problem, double longest_path)
+      : start(problem.query.start.head<2>()),
+        goal(problem.last_point().head<2>()),
+        longest(longest_path + (problem.has_gates() ? problem.gates.back().reach() : 0.0)) {}
 
   bool unbounded() const { return longest == std::numeric_limits<double>::infinity(); }
   bool contains(const Eigen::Vector2d& point) const {

@@ -8,10 +8,11 @@
 
 namespace ltp::planning {
 
-PenaltyBound::PenaltyBound(const PenaltyWeights& weights, double direct_length, double max_priority)
+PenaltyBound::PenaltyBound(const PenaltyWeights& weights, double direct_length, double max_priority,
+                           double least_length)
     : penalty_(weights, direct_length),
       ratio_(penalty_.per_metre() / weights.priority),
-      min_length_(direct_length),
+      min_length_(least_length),
       max_priority_(max_priority),
       min_alpha_(max_priority + kReserve) {}
 

@@ -19,7 +19,11 @@ namespace ltp::planning {
 class PenaltyBound {
  public:
   /// @param max_priority  the largest priority anywhere, >= 0
-  PenaltyBound(const PenaltyWeights& weights, double direct_length, double max_priority);
+  PenaltyBound(const PenaltyWeights& weights, double direct_length, double max_priority)
+      : PenaltyBound(weights, direct_length, max_priority, direct_length) {}
+  /// @param least_length  no path is shorter [m]: less than L_direct where the goal is a region
+  PenaltyBound(const PenaltyWeights& weights, double direct_length, double max_priority,
+               double least_length);
 
   void add(double alpha, double min_cost) { constraints_.push_back({alpha, min_cost}); }
   /// No path is shorter [m].

@@ -25,6 +25,9 @@ LinearisedOptions seed(LinearisedOptions options) {
   return options;
 }
 
+constexpr PlannerInfo kSweep{"sweep", "Sweep", PlannerFamily::Ours,
+                             Trait::Regions | Trait::Horizon | Trait::Bounds};
+
 /// What is exact for one priority a column would not be so for the given raster.
 void check_priority(const Problem& problem) {
   if (problem.column_priority || problem.weights.priority == 0.0) return;
@@ -39,7 +42,7 @@ class ExactPlanner final : public GridPlanner {
                const LinearisedOptions& sweep)
       : GridPlanner(info, weights),
         options_(options),
-        sweep_(make_linearised({"sweep", "Sweep"}, weights, seed(sweep))) {}
+        sweep_(make_linearised(kSweep, weights, seed(sweep))) {}
 
  private:
   void search(const Problem& problem, Answer& answer) override {
@@ -47,6 +50,7 @@ class ExactPlanner final : public GridPlanner {
     answer.take_over(sweep_->plan(problem.scene, problem.query, answer.budget.rest()));
     const Plan& plan = answer.plan();
     if (!answer.found() || (plan.bound && *plan.bound == plan.penalty)) return;
+    if (problem.has_gates()) return;  // the exact search knows one goal: the sweep's best, bounded
     if (answer.budget.is_spent(answer.stats.expanded)) {
       return answer.withdraw(PlanStatus::OutOfBudget);
     }

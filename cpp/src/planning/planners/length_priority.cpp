@@ -8,12 +8,12 @@
 
 #include "ltp/geometry/check.hpp"
 #include "ltp/planning/grid_planner.hpp"
+#include "planning/additive/additive_search.hpp"
 #include "planning/search/column_priority.hpp"
 #include "planning/search/lazy_open_list.hpp"
 #include "planning/search/level_lengths.hpp"
 #include "planning/search/search_space.hpp"
 #include "planning/search/shortest_path.hpp"
-#include "planning/search/trace.hpp"
 
 namespace ltp {
 namespace planning {
@@ -31,7 +31,8 @@ class LengthPriorityPlanner final : public GridPlanner {
     double priority = 0.0;  ///< integral of the priority along it [m]
     double g = 0.0;         ///< Eq. (8)
     std::uint32_t stamp = 0;
-    std::int8_t to_goal = -1;  ///< number of the step towards the goal; -1 without a label
+    std::int8_t to_goal =
+        -1;  ///< number of the step towards the goal; -1 without a label, or there
     bool closed = false;
   };
 
@@ -41,18 +42,28 @@ class LengthPriorityPlanner final : public GridPlanner {
         answer.offer(std::vector<Cell>{problem.start});
         return;
       }
+      if (problem.has_gates()) return to_region(problem, answer);
       const PlanStatus status = shortest_.run(problem, answer.budget, answer.stats);
       if (status != PlanStatus::Found) return answer.end(status);
       answer.offer(shortest_.chain());
     } else {
       const PlanStatus status = best_first(problem, answer.budget, answer.stats);
       if (status != PlanStatus::Found) return answer.end(status);
-      const auto next = [&](const Cell& cell) -> Cell {
-        return steps()[space_[space_.index(cell)].to_goal].offset();
-      };
-      trace(problem.start, problem.goal, next, chain_);
+      chain_.assign(1, problem.start);
+      while (true) {
+        const std::int8_t step = space_[space_.index(chain_.back())].to_goal;
+        if (step < 0) break;
+        chain_.push_back(chain_.back() + steps()[step].offset());
+      }
       answer.offer(chain_);
     }
+  }
+
+  /// The shortest path to a region.
+  void to_region(const Problem& problem, Answer& answer) {
+    const AdditiveResult found = additive_.run(problem, {1.0, 0.0}, answer.budget, answer.stats);
+    if (found.status != PlanStatus::Found) return answer.end(found.status);
+    answer.offer(found.chain);
   }
 
   /// The paper's search.
@@ -74,18 +85,24 @@ class LengthPriorityPlanner final : public GridPlanner {
       return per_metre > 0.0 ? per_metre * (problem.vertex(cell) - problem.query.start).norm()
                              : 0.0;
     };
-    // Eq. (8): the penalty of the path from a cell to the goal.
-    const double goal_priority = priority_(problem.goal.x(), problem.goal.y());
-    const auto g = [&](double length, double integral) {
-      return penalty(length, integral, goal_priority);
-    };
+    // Eq. (8): the penalty of the path from a cell to the goal; there its priority.
+    const auto g = [&](double length, double integral) { return penalty(length, integral); };
 
     const std::uint32_t start = space_.index(problem.start);
-    const std::uint32_t goal = space_.index(problem.goal);
-    Node& root = space_.visit(goal);
-    root.g = g(0.0, 0.0);
-    open_.push({root.g + heuristic(problem.goal), heuristic(problem.goal), goal});
-    ++stats.pushed;
+    const GateRegion* const region = problem.has_gates() ? &problem.gates.front() : nullptr;
+    const auto begin_at = [&](const Cell& goal) {
+      if (problem.grid().blocked(goal)) return;
+      const std::uint32_t index = space_.index(goal);
+      Node& root = space_.visit(index);
+      root.g = penalty(0.0, 0.0, priority_(goal.x(), goal.y()));
+      open_.push({root.g + heuristic(goal), heuristic(goal), index});
+      ++stats.pushed;
+    };
+    if (region != nullptr) {
+      region->for_each(begin_at);  // a path ends where it enters
+    } else {
+      begin_at(problem.goal);
+    }
 
     // The cell was labelled better since, or expanded.
     const auto is_stale = [&](const OpenEntry& entry) {
@@ -111,7 +128,7 @@ class LengthPriorityPlanner final : public GridPlanner {
         const Cell next = cell + step.offset();
         const std::uint32_t next_index = space_.index(next);
         Node& other = space_.visit(next_index);
-        if (other.closed) continue;
+        if (other.closed || (region != nullptr && region->contains(next))) continue;
         const double length = node.length + lengths[i];
         const double priority =
             node.priority + step_integral(lengths[i], here, priority_(next.x(), next.y()));
@@ -131,6 +148,7 @@ class LengthPriorityPlanner final : public GridPlanner {
 
   LengthPriorityOptions options_;
   ShortestPath shortest_;
+  AdditiveSearch additive_;
   LevelLengths lengths_;
   SearchSpace<Node> space_;
   LazyOpenList open_;

@@ -84,7 +84,7 @@ void LinearisedPlanner::search(const Problem& problem, Answer& answer) {
   if (problem.weights.priority == 0.0) return find_shortest(problem, answer);
 
   const double most = std::max(problem.scene.priority.maximum(), 0.0);
-  const PenaltyBound unbounded(problem.weights, problem.direct_length, most);
+  const PenaltyBound unbounded(problem.weights, problem.direct_length, most, problem.least_length);
   Progress progress{unbounded, {}, begin_with(problem, unbounded, most), {}};
   if (options_.effort > 0 && !options_.whole_first) answer.budget.allow(options_.effort);
   bool whole = search_once(problem, answer, progress);
@@ -105,6 +105,12 @@ void LinearisedPlanner::search(const Problem& problem, Answer& answer) {
 }
 
 void LinearisedPlanner::find_shortest(const Problem& problem, Answer& answer) {
+  if (problem.has_gates()) {
+    const AdditiveResult found = search_.run(problem, {1.0, 0.0}, answer.budget, answer.stats);
+    if (found.status != PlanStatus::Found) return answer.end(found.status);
+    answer.offer(found.chain);
+    return answer.prove(answer.plan().penalty);
+  }
   const PlanStatus status = shortest_.run(problem, answer.budget, answer.stats);
   if (status != PlanStatus::Found) return answer.end(status);
   answer.offer(shortest_.chain());
@@ -173,7 +179,7 @@ double LinearisedPlanner::narrow(const Problem& problem, double penalty, Penalty
   double longest = bound.longest_below(penalty);
   for (int i = 0; i < kRoundsOfNarrowing; ++i) {
     const double most = bound.max_priority();
-    const Ellipse ground(problem.query, longest + margin);
+    const Ellipse ground(problem, longest + margin);
     const double found = max_priority(frame, priority_, ground, (1.0 - kWorthNarrowing) * most);
     if (found >= (1.0 - kWorthNarrowing) * most) break;
     bound.set_max_priority(found);
@@ -184,13 +190,15 @@ double LinearisedPlanner::narrow(const Problem& problem, double penalty, Penalty
 
 double LinearisedPlanner::begin_with(const Problem& problem, const PenaltyBound& bound,
                                      double max_priority) const {
-  const double guess = first_alpha(bound, problem.direct_length, max_priority, options_.alpha);
+  const double likely = 0.5 * (problem.direct_length + problem.least_length);  // end amid a region
+  const double guess = first_alpha(bound, likely, max_priority, options_.alpha);
   const bool known = options_.remember && options_.alpha == 0.0 && problem.query.goal == last_goal_;
   return known ? std::max(guess, last_alpha_) : guess;
 }
 
 void LinearisedPlanner::close_gap(const Problem& problem, Answer& answer) {
   const std::optional<double> bound = answer.plan().bound;
+  if (problem.has_gates()) return;  // the exact search knows one goal
   if (!bound || answer.plan().penalty - *bound <= options_.tolerance) return;
   if (options_.searches == 1 || options_.closing == 0 || problem.weights.length == 0.0) return;
   answer.budget.allow(answer.stats.expanded + options_.closing);

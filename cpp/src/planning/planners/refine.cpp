@@ -303,13 +303,48 @@ class RefinedPlanner final : public Planner {
     plan.priority_resampled = seen_.resampled();
     if (plan.status != PlanStatus::Found) return plan;
     const Stopwatch stopwatch;
-    const Problem problem(seen, query, weights_);
-    plan = accepted(problem, refiner_.refine(problem, plan.path), plan);
+    Query served = query;
+    served.then.resize(plan.passed.size() - 1);
+    const Problem problem(seen, served, weights_);
+    plan = problem.has_gates() ? by_legs(problem, plan)
+                               : accepted(problem, refiner_.refine(problem, plan.path), plan);
     plan.stats.seconds += stopwatch.seconds();
     return plan;
   }
 
  private:
+  /// Each leg between the vertices at which gates are passed: these stay. Together they may be
+  /// worse than the given path; then that stands.
+  Plan by_legs(const Problem& problem, const Plan& plan) {
+    const Path& path = plan.path;
+    std::vector<Eigen::Index> ends{0};
+    std::size_t passed = problem.passed_at_start;
+    for (Eigen::Index i = 1; i < path.rows(); ++i) {
+      const std::size_t now = problem.passed_at(path.row(i).transpose(), passed);
+      if (now > passed) ends.push_back(i);
+      passed = now;
+    }
+    Path refined = path.topRows(1);
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      const Path leg = path.middleRows(ends[i - 1], ends[i] - ends[i - 1] + 1);
+      const Point from = leg.row(0).transpose();
+      const Point to = leg.row(leg.rows() - 1).transpose();
+      const auto [low, high] = std::minmax(from.z(), to.z());
+      const Query query{from,
+                        to,
+                        {std::max(0.0, low - problem.altitudes.lowest),
+                         std::max(0.0, problem.altitudes.highest - high)}};
+      const Path better = refiner_.refine(Problem(problem.scene, query, weights_), leg);
+      const Eigen::Index size = refined.rows();
+      refined.conservativeResize(size + better.rows() - 1, 3);
+      refined.bottomRows(better.rows() - 1) = better.bottomRows(better.rows() - 1);
+    }
+    if (refined.rows() < 2) return plan;
+    Plan better = accepted(problem, until_served(problem, refined), plan);
+    return better.penalty <= plan.penalty && better.tally.length <= plan.tally.length ? better
+                                                                                      : plan;
+  }
+
   std::unique_ptr<Planner> planner_;
   PenaltyWeights weights_;
   Refiner refiner_;

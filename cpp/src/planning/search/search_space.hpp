@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 
 #include "ltp/grid/frame.hpp"
 #include "ltp/grid/neighbourhood.hpp"
@@ -14,17 +15,20 @@
 
 namespace ltp::planning {
 
-/// One `Node` a cell of the levels that a query leaves open. `Node` needs a member `std::uint32_t
-/// stamp = 0`.
+/// One `Node` a cell of the levels that a query leaves open, or several layers of that. `Node`
+/// needs a member `std::uint32_t stamp = 0`.
 template <typename Node>
 class SearchSpace {
  public:
-  /// Begins a search: all cells are as if never visited.
-  void begin(const GridFrame& frame, const LevelRange& levels) {
+  /// Begins a search: all cells are as if never visited. Returns the size of a layer: a cell's node
+  /// in layer i is its `index`, and i of them. Throws `std::length_error` for 2^32 nodes and more.
+  std::uint32_t begin(const GridFrame& frame, const LevelRange& levels, std::size_t layers = 1) {
     ny_ = static_cast<std::uint32_t>(frame.ny());
     lowest_ = levels.lowest;
     depth_ = static_cast<std::uint32_t>(levels.count());
-    const std::size_t size = std::size_t{static_cast<std::uint32_t>(frame.nx())} * ny_ * depth_;
+    const std::size_t layer = std::size_t{static_cast<std::uint32_t>(frame.nx())} * ny_ * depth_;
+    const std::size_t size = layer * layers;
+    if (size > std::numeric_limits<std::uint32_t>::max()) throw std::length_error("ltp: layers");
     if (nodes_.size() < size) {
       nodes_.reset(size);
       stamp_ = 0;
@@ -34,6 +38,7 @@ class SearchSpace {
       stamp_ = 0;
     }
     ++stamp_;
+    return static_cast<std::uint32_t>(layer);
   }
 
   std::uint32_t index(const Cell& cell) const {

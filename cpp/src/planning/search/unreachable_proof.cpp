@@ -25,7 +25,8 @@ bool sees_far(const Problem& problem, const Cell& along) {
 }  // namespace
 
 bool UnreachableProof::at_once(const Problem& problem) {
-  constexpr int kFaces = 6;  // the first of the 26 steps
+  if (problem.has_gates()) return false;  // a region is seldom walled in as a whole
+  constexpr int kFaces = 6;               // the first of the 26 steps
   for (int i = 0; i < kFaces; ++i) {
     if (sees_far(problem, steps()[i].offset())) return false;
   }
@@ -33,9 +34,21 @@ bool UnreachableProof::at_once(const Problem& problem) {
 }
 
 bool UnreachableProof::no_path(const Problem& problem) {
+  if (problem.has_gates()) return cut_off(problem);
   const bool from_goal = from_ == From::Goal;
   flood_.fill(problem.grid(), from_goal ? problem.goal : problem.start, problem.levels);
   return !flood_.reached(from_goal ? problem.start : problem.goal);
+}
+
+/// Whether there is a gate of which the start reaches no cell.
+bool UnreachableProof::cut_off(const Problem& problem) {
+  flood_.fill(problem.grid(), problem.start, problem.levels);
+  for (std::size_t i = problem.passed_at_start; i < problem.gates.size(); ++i) {
+    bool reached = false;
+    problem.gates[i].for_each([&](const Cell& c) { reached = reached || flood_.reached(c); });
+    if (!reached) return true;
+  }
+  return false;
 }
 
 }  // namespace ltp::planning

@@ -33,6 +33,7 @@ class UnreachableProof {
 
  private:
   bool no_path(const Problem& problem);
+  bool cut_off(const Problem& problem);
 
   From from_;
   std::int64_t patience_;
