@@ -21,17 +21,20 @@ ConcurrentTrajectoryPlanner::ConcurrentTrajectoryPlanner(std::unique_ptr<Planner
       navigator_(std::move(planner), options, std::move(priority), map_.occupied().frame(),
                  map_options.inflation_radius, position),
       known_(map_.blocked()),
-      snapshots_(
-          {0, 0, position, 0, 0, map_.occupied(), map_.blocked(), 0, Path(0, 3), 0, nullptr}),
+      snapshots_({0, 0, position, 0, 0, map_.occupied(), map_.blocked(), 0, Path(0, 3),
+                  GateSizes(0, 2), 0, nullptr}),
       decisions_({}) {}
 
 ConcurrentTrajectoryPlanner::~ConcurrentTrajectoryPlanner() { stop(); }
 
-void ConcurrentTrajectoryPlanner::set_waypoints(const PathRef& waypoints) {
+void ConcurrentTrajectoryPlanner::set_waypoints(const PathRef& waypoints,
+                                                const GateSizesRef& gates) {
   for (Eigen::Index i = 0; i < waypoints.rows(); ++i) {
     check::finite("waypoints[" + std::to_string(i) + "]", Point(waypoints.row(i).transpose()));
   }
+  check_gates(gates, waypoints.rows());
   waypoints_ = waypoints;
+  gates_ = gates;
   ++route_;
   nothing_decided();
   none_.waypoint_index = 0;
@@ -96,6 +99,7 @@ void ConcurrentTrajectoryPlanner::hand_over() {
   if (snapshot.route != route_) {
     snapshot.route = route_;
     snapshot.waypoints = waypoints_;
+    snapshot.gates = gates_;
   }
   snapshot.priority_number = priority_number_;
   snapshot.priority = priority_;
@@ -150,7 +154,7 @@ void ConcurrentTrajectoryPlanner::take_over(Snapshot& seen) {
   }
   std::swap(known_, seen.blocked);  // the slot's next value overwrites all of it
   if (std::exchange(known_route_, seen.route) != seen.route) {
-    navigator_.set_waypoints(seen.waypoints);
+    navigator_.set_waypoints(seen.waypoints, seen.gates);
   }
   if (std::exchange(known_priority_, seen.priority_number) != seen.priority_number) {
     navigator_.set_priority(*seen.priority);

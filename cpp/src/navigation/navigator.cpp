@@ -33,7 +33,17 @@ double out_and_back(const GridFrame& window, const Query& query) {
     if (altitudes.highest > window.upper().z()) least = std::min(least, high.z());
     return least;
   };
-  return to_face(query.start) + to_face(query.goal);
+  const double into_gate = std::hypot(query.gate_radius, query.gate_height);
+  return to_face(query.start) + std::max(0.0, to_face(query.goal) - into_gate);
+}
+
+/// A query with the band that gives it these altitudes.
+Query over(const AltitudeRange& altitudes, Query query) {
+  query.band = {0.0, 0.0};
+  const AltitudeRange ends = altitudes_of(query);
+  query.band = {std::max(ends.lowest - altitudes.lowest, 0.0),
+                std::max(altitudes.highest - ends.highest, 0.0)};
+  return query;
 }
 
 bool same_cell(const GridFrame& frame, const Point& a, const Point& b) {
@@ -47,6 +57,9 @@ void NavigationOptions::check() const {
   if (!(band.above >= 0.0)) check::fail("band.above", band.above, "a number >= 0");
   check::not_negative("reach_distance", reach_distance);
   check::not_negative("leave_distance", leave_distance);
+  check::not_negative("gate_radius", gate_radius);
+  check::not_negative("gate_height", gate_height);
+  check::at_least("horizon", horizon, 1);
   check::positive("escape_distance", escape_distance);
   check::not_negative("max_detour", max_detour);
   Budget{max_expansions, time_limit}.check();
@@ -77,6 +90,8 @@ Navigator::Navigator(std::unique_ptr<Planner> planner, const NavigationOptions& 
     : planner_(std::move(planner)),
       options_(options),
       priority_(std::move(priority)),
+      gates_(window, options.gate_radius, options.gate_height,
+             options.reach_distance > 0.0 ? options.reach_distance : horizontal_diagonal(window)),
       last_position_(position),
       memory_(window, inflation_radius),
       known_(window),
@@ -91,10 +106,11 @@ Navigator::Navigator(std::unique_ptr<Planner> planner, const NavigationOptions& 
 Navigator::Navigator(Navigator&&) noexcept = default;
 Navigator::~Navigator() = default;
 
-void Navigator::set_waypoints(const PathRef& waypoints) {
+void Navigator::set_waypoints(const PathRef& waypoints, const GateSizesRef& gates) {
   for (Eigen::Index i = 0; i < waypoints.rows(); ++i) {
     check::finite("waypoints[" + std::to_string(i) + "]", Point(waypoints.row(i).transpose()));
   }
+  gates_.set(waypoints, gates);
   waypoints_ = waypoints;
   next_ = 0;
   events_.clear();
@@ -141,7 +157,7 @@ void Navigator::retire(const MapView& map, NavigationReason why, const Point& po
                             : why == NavigationReason::TooFar      ? PlanStatus::NoneFound
                                                                    : PlanStatus::Found;
   events_.push_back({next_, why == NavigationReason::None, status, why, position, waypoint(next_),
-                     map.blocked.frame().origin()});
+                     norm(waypoint(next_) - position), map.blocked.frame().origin()});
   ++next_;
   begin_leg();
 }
@@ -153,8 +169,7 @@ bool Navigator::is_at(const GridFrame& frame, const Point& position, const Point
 }
 
 void Navigator::take_reached(const MapView& map, const Point& position) {
-  while (!finished()) {
-    if (!is_at(map.blocked.frame(), position, waypoint(next_))) return;
+  while (!finished() && gates_.served(next_, position)) {
     retire(map, NavigationReason::None, position);
     planned_on_ = kNoVersion;  // whoever held has somewhere else to go
   }
@@ -175,6 +190,7 @@ bool Navigator::must_replan(const MapView& map, const Point& position) {
   const ClosestPoint here = closest_point(path_, position, progress_, progress_ + most);
   progress_ = here.arc_length;
   if (here.distance > options_.leave_distance) return true;
+  if (progress_ > served_at_ + options_.leave_distance) return true;  // it has missed the gate
   const bool arrived = is_at(map.blocked.frame(), position, target_);
   if ((stopover_ || status_ == NavigationStatus::Escaping) && arrived) return true;
   if (status_ == NavigationStatus::Escaping) {
@@ -202,7 +218,15 @@ NavigationReason Navigator::follow(NavigationStatus status, const Path& path) {
   memory_.make_room(path.colwise().minCoeff().transpose() - half,
                     path.colwise().maxCoeff().transpose() + half);
   progress_ = 0.0;
+  served_at_ = std::numeric_limits<double>::infinity();
   ++path_id_;
+  return NavigationReason::None;
+}
+
+/// Follows a plan through the next gates.
+NavigationReason Navigator::follow_through(const Plan& plan) {
+  follow(NavigationStatus::Following, plan.path);
+  served_at_ = plan.passed.front();
   return NavigationReason::None;
 }
 
@@ -228,10 +252,9 @@ void Navigator::replan(const MapView& map, const Point& position,
   recall(map);
   const MapView known{map.occupied, known_, map.version};
   while (!finished()) {
-    const Point goal = waypoint(next_);
-    const bool blocked = known_.blocked_at(goal) || memory_.blocked().blocked_at(goal);
+    const Query query = through_gates(position);
     NavigationReason why = NavigationReason::None;
-    if (blocked && !same_cell(known_.frame(), goal, position)) {
+    if (Gates::blocked(known_, query) || Gates::blocked(memory_.blocked(), query)) {
       why = NavigationReason::GoalBlocked;  // proof: the map itself
     } else if (known_.blocked_at(position)) {
       return escape(known, position);
@@ -251,19 +274,24 @@ void Navigator::recall(const MapView& map) {
   memory_.add_to(known_);
 }
 
-/// A query whose altitudes are those of the leg, wherever the UAV is by now: with a band about its
-/// own, ways would open and close as it climbs and sinks.
+/// From a position through the next gates, over the altitudes of the leg, wherever the UAV is by
+/// now: with a band about its own, ways would open and close as it climbs and sinks.
+Query Navigator::through_gates(const Point& position) {
+  Query query = gates_.query(position, next_, options_.horizon, options_.band);
+  if (!altitudes_) altitudes_ = altitudes_of(query);
+  return over(*altitudes_, query);
+}
+
+/// The same to a point.
 Query Navigator::query_to(const Point& position, const Point& goal) {
-  if (!altitudes_) altitudes_ = altitudes_of({position, waypoint(next_), options_.band});
-  const double below = std::min(position.z(), goal.z()) - altitudes_->lowest;
-  const double above = altitudes_->highest - std::max(position.z(), goal.z());
-  return {position, goal, {std::max(below, 0.0), std::max(above, 0.0)}};
+  if (!altitudes_) through_gates(position);
+  return over(*altitudes_, {position, goal});
 }
 
 const Plan& Navigator::ask(const Query& query, const std::function<bool()>& interrupted) {
   const Budget budget{options_.max_expansions, options_.time_limit, interrupted};
   plans_.push_back(
-      {next_, norm(query.goal - query.start), planner_->plan({known_, priority_}, query, budget)});
+      {next_, direct_length(query), planner_->plan({known_, priority_}, query, budget)});
   ++plans_made_;
   return plans_.back().plan;
 }
@@ -272,29 +300,27 @@ const Plan& Navigator::ask(const Query& query, const std::function<bool()>& inte
 NavigationReason Navigator::set_out(const Point& position,
                                     const std::function<bool()>& interrupted) {
   const GridFrame& frame = known_.frame();
-  const Query query = query_to(position, waypoint(next_));
+  const Query query = through_gates(position);
   stopover_ = false;
   if (!frame.contains(query.goal)) return take_route(query, nullptr, interrupted);
   const Plan& plan = ask(query, interrupted);
   const bool matters = options_.max_detour > 0.0 || measured_on_ == memory_.version() ||
                        plan.status != PlanStatus::Found ||
-                       plan.tally.length > out_and_back(frame, query);
+                       plan.passed.front() > out_and_back(frame, query);
   if (matters) return take_route(query, &plan, interrupted);
-  return follow(NavigationStatus::Following, plan.path);
+  return follow_through(plan);
 }
 
 /// The same by the shortest way, given the planner's answer if the waypoint lies in the window.
 NavigationReason Navigator::take_route(const Query& query, const Plan* inside,
                                        const std::function<bool()>& interrupted) {
   const GridFrame& frame = known_.frame();
-  const Point aim = towards(query);
-  const PlanStatus status =
-      route_->find(memory_.blocked(), query_to(query.start, aim), interrupted);
+  bool sealed = false;
+  const PlanStatus status = find_route(query, sealed, interrupted);
+  if (sealed) return NavigationReason::Unreachable;
   if (status != PlanStatus::Found) {
-    // What a search has not found, a flood must find closed.
-    if (status == PlanStatus::Unreachable && aim == query.goal) {
-      if (memory_.seals(query)) return NavigationReason::Unreachable;
-      if (memory_.encloses(query)) return hold(NavigationReason::WalledIn);
+    if (status == PlanStatus::Unreachable && memory_.encloses(query)) {
+      return hold(NavigationReason::WalledIn);
     }
     return hold(status == PlanStatus::OutOfBudget ? NavigationReason::OutOfBudget
                                                   : NavigationReason::NoPath);
@@ -303,8 +329,8 @@ NavigationReason Navigator::take_route(const Query& query, const Plan* inside,
   const bool stalled = is_stalled();
   const bool stays = inside != nullptr && route_->stays_in(frame);
   const bool found = inside != nullptr && inside->status == PlanStatus::Found;
-  if (!stalled && found && (stays || inside->tally.length <= route_->length())) {
-    return follow(NavigationStatus::Following, inside->path);
+  if (!stalled && found && (stays || inside->passed.front() <= route_->length())) {
+    return follow_through(*inside);
   }
   stopover_ = !stays;
   if (stopover_ && !stalled) {
@@ -314,7 +340,7 @@ NavigationReason Navigator::take_route(const Query& query, const Plan* inside,
   }
   if (!stalled && found) {  // the longer way, in the window
     stopover_ = false;
-    return follow(NavigationStatus::Following, plans_[plans_.size() - 2].plan.path);
+    return follow_through(plans_[plans_.size() - 2].plan);
   }
   if (!stalled && !options_.fly_route) {
     const bool spent = plans_.back().plan.status == PlanStatus::OutOfBudget;
@@ -323,6 +349,22 @@ NavigationReason Navigator::take_route(const Query& query, const Plan* inside,
   const Path path = stopover_ ? route_->beginning(frame) : route_->path();
   if (known_.first_blocked(path)) return hold(NavigationReason::NoPath);
   return follow(NavigationStatus::Following, path);
+}
+
+/// Looks for the shortest way to the first gate, to that of its free points nearest to the waypoint
+/// which is not walled in. What a search has not found, a flood must find closed; `sealed`: it has,
+/// for all of them.
+PlanStatus Navigator::find_route(const Query& query, bool& sealed,
+                                 const std::function<bool()>& interrupted) {
+  PlanStatus status = PlanStatus::NoneFound;
+  for (const Point& end : Gates::free_points(memory_.blocked(), query)) {
+    const Query to_end = query_to(query.start, end);
+    const Point aim = towards(to_end);
+    status = route_->find(memory_.blocked(), query_to(query.start, aim), interrupted);
+    sealed = status == PlanStatus::Unreachable && aim == end && memory_.seals(to_end);
+    if (!sealed) break;
+  }
+  return status;
 }
 
 /// The waypoint, for which there is made room; or a point on the straight line to one that is too

@@ -58,7 +58,8 @@ class ConcurrentTrajectoryPlanner {
 
   /// Replaces what is left of the global path, from the next scan on; until then there is no path.
   /// Rows are waypoints, world [m]; may be empty.
-  void set_waypoints(const PathRef& waypoints);
+  /// @param gates  one row a waypoint, see `GateSizes`; none: those of the options
+  void set_waypoints(const PathRef& waypoints, const GateSizesRef& gates = GateSizes(0, 2));
   /// Another priority p_l(x, y), from the next scan on; until then there is no path.
   void set_priority(Raster priority);
 
@@ -114,6 +115,7 @@ class ConcurrentTrajectoryPlanner {
     OccupancyGrid blocked;
     std::int64_t route;  ///< number of the waypoints
     Path waypoints;
+    GateSizes gates;
     std::int64_t priority_number;
     SharedRaster priority;
   };
@@ -132,6 +134,7 @@ class ConcurrentTrajectoryPlanner {
   std::int64_t clearings_ = 0;    ///< of the map
   Point position_;                ///< of the last scan [m]
   Path waypoints_ = Path(0, 3);
+  GateSizes gates_ = GateSizes(0, 2);
   std::int64_t route_ = 0;  ///< number of the waypoints
   SharedRaster priority_;
   std::int64_t priority_number_ = 0;

@@ -30,7 +30,10 @@ class LocalTrajectoryPlanner {
                          Raster priority, const Point& position);
 
   /// Replaces what is left of the global path. Rows are waypoints, world [m]; may be empty.
-  void set_waypoints(const PathRef& waypoints) { navigator_.set_waypoints(waypoints); }
+  /// @param gates  one row a waypoint, see `GateSizes`; none: those of the options
+  void set_waypoints(const PathRef& waypoints, const GateSizesRef& gates = GateSizes(0, 2)) {
+    navigator_.set_waypoints(waypoints, gates);
+  }
   void set_priority(Raster priority) { navigator_.set_priority(std::move(priority)); }
 
   /// Adds a scan: where its rays began (a pose turns the map's body box), where they hit, and (for

@@ -13,6 +13,7 @@
 #include "ltp/grid/neighbourhood.hpp"
 #include "ltp/grid/occupancy_grid.hpp"
 #include "ltp/grid/raster.hpp"
+#include "ltp/navigation/gates.hpp"
 #include "ltp/navigation/navigation_reason.hpp"
 #include "ltp/navigation/obstacle_memory.hpp"
 #include "ltp/planning/grid_planner.hpp"
@@ -31,6 +32,12 @@ struct NavigationOptions {
       0.0;  ///< farther from its path the UAV has left it [m]; 0: one horizontal cell diagonal
   double escape_distance =
       20.0;  ///< how far to look for a free cell when standing in a blocked one [m]
+
+  /// A waypoint is served within it, horizontally [m]: its gate, to the whole of which is planned;
+  /// the last one stays a point. 0: all are points, reached within `reach_distance`.
+  double gate_radius = 0.0;
+  double gate_height = 0.0;  ///< the same, up and down [m]; 0: one cell
+  int horizon = 1;           ///< waypoints that are planned jointly, >= 1
 
   std::int64_t max_expansions = 0;  ///< of a plan, see `Budget`; 0: no limit
   double time_limit = 0.0;          ///< of a plan, see `Budget` [s]; 0: no limit
@@ -66,6 +73,7 @@ struct WaypointEvent {
   NavigationReason why = NavigationReason::None;
   Point position = Point::Zero();       ///< of the UAV [m]
   Point goal = Point::Zero();           ///< the waypoint [m]
+  double distance = 0.0;                ///< from the UAV to the waypoint's point [m]
   Point window_origin = Point::Zero();  ///< lowest corner of the map's window [m]
 };
 
@@ -74,7 +82,7 @@ using WayPointEvent [[deprecated("WaypointEvent")]] = WaypointEvent;  ///< for o
 /// One answer of the planner.
 struct PlanRecord {
   int waypoint = 0;            ///< for which it was asked
-  double direct_length = 0.0;  ///< L_direct of the query [m]
+  double direct_length = 0.0;  ///< L_direct of the query [m]; with a horizon of all its legs
   Plan plan;
 };
 
@@ -110,7 +118,8 @@ class Navigator {
   Navigator(Navigator&&) noexcept;
   ~Navigator();
 
-  void set_waypoints(const PathRef& waypoints);
+  /// @param gates  one row a waypoint, see `GateSizes`; none: those of the options
+  void set_waypoints(const PathRef& waypoints, const GateSizesRef& gates = GateSizes(0, 2));
   void set_priority(Raster priority);
 
   /// Keeps what a window has blocked; to be told before the map forgets it.
@@ -161,12 +170,15 @@ class Navigator {
                               const std::function<bool()>& interrupted);
   void escape(const MapView& map, const Point& position);
   std::optional<Point> escape_point(const MapView& map, const Point& position);
+  Query through_gates(const Point& position);
   Query query_to(const Point& position, const Point& goal);
+  PlanStatus find_route(const Query& query, bool& sealed, const std::function<bool()>& interrupted);
   Point towards(const Query& query);
   const Plan& ask(const Query& query, const std::function<bool()>& interrupted);
   bool is_stalled();
   bool is_too_far();
   NavigationReason follow(NavigationStatus status, const Path& path);
+  NavigationReason follow_through(const Plan& plan);
   NavigationReason hold(NavigationReason reason);
   void finish();
   void give_up_path();
@@ -175,6 +187,7 @@ class Navigator {
   NavigationOptions options_;
   Raster priority_;
   Path waypoints_ = Path(0, 3);
+  Gates gates_;
   int next_ = 0;
   std::optional<AltitudeRange> altitudes_;  ///< of the leg, from its first plan on
   std::vector<WaypointEvent> events_;
@@ -183,9 +196,10 @@ class Navigator {
   NavigationReason reason_ = NavigationReason::None;
   Path path_ = Path(0, 3);
   Point target_ =
-      Point::Zero();       ///< the end of `path_`: a waypoint, or a stopover on the way to it
-  bool stopover_ = false;  ///< whether `target_` is not the waypoint itself
-  double progress_ = 0.0;  ///< arc length of `path_` already flown [m]
+      Point::Zero();        ///< the end of `path_`: a waypoint, or a stopover on the way to it
+  bool stopover_ = false;   ///< whether `target_` is not the waypoint itself
+  double progress_ = 0.0;   ///< arc length of `path_` already flown [m]
+  double served_at_ = 0.0;  ///< arc length of `path_` at which the next waypoint is served [m]
   Point last_position_ = Point::Zero();  ///< of the UAV [m]
   std::int64_t path_id_ = 0;
   std::int64_t planned_on_ = kNoVersion;  ///< version of the map that was last planned on
