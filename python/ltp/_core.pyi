@@ -10,7 +10,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['AraOptions', 'BezierOptions', 'Budget', 'ConcurrentTrajectoryPlanner', 'Decision', 'ExactOptions', 'Front', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationReason', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'PathTally', 'PenaltyWeights', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerInfo', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'TangentBugOptions', 'WaypointEvent', 'closest_point', 'distance_field', 'flood_fill', 'inflate', 'onto_columns', 'pareto_front', 'path_length', 'penalty', 'planner_info', 'planners', 'point_at', 'resample', 'tally']
+__all__: list[str] = ['AraOptions', 'BezierOptions', 'Budget', 'ConcurrentTrajectoryPlanner', 'Decision', 'ExactOptions', 'Front', 'Gate', 'GridFrame', 'HeightSurface', 'HermiteOptions', 'InsertStatistics', 'Lidar', 'LidarOptions', 'LidarPattern', 'LinearisedOptions', 'LocalTrajectoryPlanner', 'NavigationOptions', 'NavigationReason', 'NavigationStatus', 'ObstacleMap', 'ObstacleMapOptions', 'OccupancyGrid', 'OctreeSurface', 'PathTally', 'PenaltyWeights', 'Plan', 'PlanRecord', 'PlanStatus', 'Planner', 'PlannerInfo', 'PlannerOptions', 'Pose', 'Query', 'Raster', 'RayHit', 'RiskOptions', 'Scan', 'ScanStatistics', 'Scene', 'SearchStats', 'Surface', 'TangentBugOptions', 'WaypointEvent', 'closest_point', 'distance_field', 'flood_fill', 'inflate', 'onto_columns', 'pareto_front', 'path_length', 'penalty', 'planner_info', 'planners', 'point_at', 'resample', 'tally']
 class Pose:
     """
     Where a body is and how it is turned (world ENU, body x forward, y left, z up).
@@ -300,9 +300,7 @@ class HeightSurface(Surface):
         ...
 class OctreeSurface(Surface):
     """
-    The occupied voxels of an OctoMap octree, as bricks of bits; rays are walked exactly. The
-    bounding box may have any size; ValueError if voxels lie so scattered that they would take
-    more than 1 GiB.
+    The occupied voxels of an OctoMap octree; rays are walked exactly.
     """
     @typing.overload
     def __init__(self, path: os.PathLike | str | bytes) -> None:
@@ -317,11 +315,6 @@ class OctreeSurface(Surface):
     def __repr__(self) -> str:
         ...
     @property
-    def memory(self) -> int:
-        """
-        of the bricks and what is above them [bytes]
-        """
-    @property
     def resolution(self) -> float:
         """
         edge of a voxel [m]
@@ -334,8 +327,7 @@ class OctreeSurface(Surface):
     @property
     def voxels(self) -> OccupancyGrid:
         """
-        OccupancyGrid over their bounding box, made when it is first asked for; ValueError if
-        the box has 2^31 voxels or more
+        OccupancyGrid over their bounding box
         """
 class LidarPattern:
     """
@@ -809,14 +801,40 @@ class Scene:
         ...
     def __repr__(self) -> str:
         ...
+class Gate:
+    """
+    A waypoint with the region in which it is served: an upright cylinder.
+    """
+    __fields__: typing.ClassVar[tuple] = ('point', 'radius', 'height')
+    def __init__(self, point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], radius: typing.SupportsFloat | typing.SupportsIndex = 0.0, height: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def height(self) -> float:
+        """
+        above and below the point [m]
+        """
+    @property
+    def point(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,), world [m]
+        """
+    @property
+    def radius(self) -> float:
+        """
+        horizontally [m]; 0: the cell of the point
+        """
 class Query:
     """
     From where to where, and how far the path may leave the altitudes between.
     """
-    def __init__(self, start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], goal: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], band: tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex] = ...) -> None:
+    def __init__(self, start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], goal: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], band: tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex] = ..., gate_radius: typing.SupportsFloat | typing.SupportsIndex = 0.0, gate_height: typing.SupportsFloat | typing.SupportsIndex = 0.0, then: collections.abc.Sequence[Gate] = []) -> None:
         """
         start, goal: (3,), world [m]. band: (below, above), how far the path may go under the lower and over the
-        higher of both ends [m], >= 0; (0, 0) is planar flight, the default is open to the whole window.
+        higher of both ends [m], >= 0; (0, 0) is planar flight, the default is open to the whole window. gate_radius, gate_height: of the region about the goal in which it is served [m], >= 0; the path ends
+        where it enters; radius 0: at the point itself. then: the Gates after it, planned jointly; the path passes them in
+        order, and L_direct is the way through all their points.
         """
     def __repr__(self) -> str:
         ...
@@ -824,10 +842,24 @@ class Query:
     def band(self) -> tuple[float, float]:
         ...
     @property
+    def direct_length(self) -> float:
+        """
+        L_direct of Eq. (3) [m]
+        """
+    @property
+    def gate_height(self) -> float:
+        ...
+    @property
+    def gate_radius(self) -> float:
+        ...
+    @property
     def goal(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         ...
     @property
     def start(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        ...
+    @property
+    def then(self) -> list[Gate]:
         ...
 class PlanStatus:
     """
@@ -926,6 +958,12 @@ class Plan:
     def bound(self) -> float | None:
         """
         no path through vertices of cells has a smaller penalty (a refined one may); None without a proof
+        """
+    @property
+    def passed(self) -> list[float]:
+        """
+        where along the path each waypoint is passed, arc lengths [m]; fewer than asked for where a later one is
+        blocked, unreachable or beyond the window; empty unless FOUND
         """
     @property
     def path(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
@@ -1459,7 +1497,7 @@ class PlannerInfo:
     """
     What a planner is: a row of the registry.
     """
-    __fields__: typing.ClassVar[tuple] = ('name', 'title', 'family', 'complete', 'on_grid', 'anytime', 'remembers', 'uses_priority', 'bounds')
+    __fields__: typing.ClassVar[tuple] = ('name', 'title', 'family', 'complete', 'on_grid', 'anytime', 'remembers', 'uses_priority', 'bounds', 'regions', 'horizon')
     def __repr__(self) -> str:
         ...
     @property
@@ -1483,6 +1521,11 @@ class PlannerInfo:
         'paper': of the paper's tables; 'ours'; 'baseline': of other authors, to compare with
         """
     @property
+    def horizon(self) -> bool:
+        """
+        plans several waypoints jointly; others go leg by leg
+        """
+    @property
     def name(self) -> str:
         """
         by which it is made
@@ -1491,6 +1534,11 @@ class PlannerInfo:
     def on_grid(self) -> bool:
         """
         its paths run through vertices of cells
+        """
+    @property
+    def regions(self) -> bool:
+        """
+        its goal is a whole region; others are given one cell of it
         """
     @property
     def remembers(self) -> bool:
@@ -1541,7 +1589,7 @@ class NavigationOptions:
     """
     When a waypoint is reached, a path left, a height allowed.
     """
-    __fields__: typing.ClassVar[tuple] = ('band', 'reach_distance', 'leave_distance', 'escape_distance', 'max_expansions', 'time_limit', 'max_detour', 'fly_route')
+    __fields__: typing.ClassVar[tuple] = ('band', 'reach_distance', 'leave_distance', 'escape_distance', 'gate_radius', 'gate_height', 'horizon', 'max_expansions', 'time_limit', 'memory_widths')
     def __copy__(self) -> NavigationOptions:
         ...
     def __deepcopy__(self, memo: dict) -> NavigationOptions:
@@ -1571,12 +1619,28 @@ class NavigationOptions:
     def escape_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
-    def fly_route(self) -> bool:
+    def gate_height(self) -> float:
         """
-        where the planner finds no path and a way is known, fly the shortest one instead of holding
+        the same, up and down [m]; 0: one cell
         """
-    @fly_route.setter
-    def fly_route(self, arg0: bool) -> None:
+    @gate_height.setter
+    def gate_height(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def gate_radius(self) -> float:
+        """
+        a waypoint but the last is served within it, horizontally [m]; 0: it is a point, see `reach_distance`
+        """
+    @gate_radius.setter
+    def gate_radius(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def horizon(self) -> int:
+        """
+        waypoints that are planned jointly, >= 1
+        """
+    @horizon.setter
+    def horizon(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
     @property
     def leave_distance(self) -> float:
@@ -1585,14 +1649,6 @@ class NavigationOptions:
         """
     @leave_distance.setter
     def leave_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def max_detour(self) -> float:
-        """
-        a waypoint that would cost more metres than the shortest way to it that was known at first, by so many, is skipped as too far [m]; 0: none is
-        """
-    @max_detour.setter
-    def max_detour(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def max_expansions(self) -> int:
@@ -1605,10 +1661,10 @@ class NavigationOptions:
     @property
     def memory_widths(self) -> int:
         """
-        Without effect.
+        how many windows wide the memory is from which proofs are drawn; 1 where obstacles move
         """
     @memory_widths.setter
-    def memory_widths(self, arg1: typing.SupportsInt | typing.SupportsIndex) -> None:
+    def memory_widths(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
     @property
     def reach_distance(self) -> float:
@@ -1702,6 +1758,8 @@ class NavigationReason:
 
       WALLED_IN : the UAV is walled in by its own map
 
+      NO_STOPOVER : the waypoint lies beyond the map's window, and no point of the leg to it can be reached
+
       OUT_OF_BUDGET : the planner's budget ran out before it found a path
 
       NO_PATH : no path was found, and no proof that there is none
@@ -1710,8 +1768,6 @@ class NavigationReason:
 
       UNREACHABLE : the waypoint is proved unreachable: all around it is closed
 
-      TOO_FAR : the waypoint is too far: the way to it is longer than the largest detour allows
-
       ALL_DROPPED : all waypoints were dropped, none was reached
     """
     ALL_DROPPED: typing.ClassVar[NavigationReason]
@@ -1719,10 +1775,10 @@ class NavigationReason:
     NONE: typing.ClassVar[NavigationReason]
     NO_ESCAPE: typing.ClassVar[NavigationReason]
     NO_PATH: typing.ClassVar[NavigationReason]
+    NO_STOPOVER: typing.ClassVar[NavigationReason]
     OUT_OF_BUDGET: typing.ClassVar[NavigationReason]
     START_BLOCKED: typing.ClassVar[NavigationReason]
     START_IN_GROUND: typing.ClassVar[NavigationReason]
-    TOO_FAR: typing.ClassVar[NavigationReason]
     UNDECIDED: typing.ClassVar[NavigationReason]
     UNREACHABLE: typing.ClassVar[NavigationReason]
     WALLED_IN: typing.ClassVar[NavigationReason]
@@ -1775,9 +1831,14 @@ class WaypointEvent:
     """
     What became of a waypoint.
     """
-    __fields__: typing.ClassVar[tuple] = ('index', 'reached', 'reason', 'why', 'position', 'goal', 'window_origin')
+    __fields__: typing.ClassVar[tuple] = ('index', 'reached', 'reason', 'why', 'position', 'goal', 'distance', 'window_origin')
     def __repr__(self) -> str:
         ...
+    @property
+    def distance(self) -> float:
+        """
+        from the UAV to the waypoint [m]
+        """
     @property
     def goal(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
@@ -1801,7 +1862,7 @@ class WaypointEvent:
     @property
     def reason(self) -> PlanStatus:
         """
-        why it was dropped: GOAL_BLOCKED or UNREACHABLE, on proof; NONE_FOUND: it was too far
+        why it was dropped: GOAL_BLOCKED or UNREACHABLE
         """
     @property
     def why(self) -> NavigationReason:
@@ -1823,7 +1884,7 @@ class PlanRecord:
     @property
     def direct_length(self) -> float:
         """
-        L_direct of the query [m]
+        L_direct of the query [m]; with a horizon of all its legs
         """
     @property
     def plan(self) -> Plan:
@@ -1870,9 +1931,10 @@ class LocalTrajectoryPlanner:
         """
         The old name of `set_waypoints`.
         """
-    def set_waypoints(self, waypoints: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"]) -> None:
+    def set_waypoints(self, waypoints: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], gates: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 2]", "flags.c_contiguous"] = ...) -> None:
         """
-        Replaces what is left of the global path; (N, 3), world [m].
+        Replaces what is left of the global path; (N, 3), world [m]. gates: (N, 2), radius and height in which each is served
+        [m], 0: within `reach_distance`, one cell; default: those of the options.
         """
     def update(self, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> NavigationStatus:
         """
@@ -2029,9 +2091,10 @@ class ConcurrentTrajectoryPlanner:
         """
         The old name of `set_waypoints`.
         """
-    def set_waypoints(self, waypoints: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"]) -> None:
+    def set_waypoints(self, waypoints: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], gates: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 2]", "flags.c_contiguous"] = ...) -> None:
         """
         Replaces what is left of the global path from the next scan on; (N, 3), world [m].
+        gates: as LocalTrajectoryPlanner's.
         """
     def start(self) -> None:
         """

@@ -89,7 +89,9 @@ void bind_concurrent(py::module_& m) {
            "map_options"_a = ltp::ObstacleMapOptions{}, "options"_a = ltp::NavigationOptions{},
            "As a LocalTrajectoryPlanner's.")
       .def("set_waypoints", &Concurrent::set_waypoints, "waypoints"_a,
-           "Replaces what is left of the global path from the next scan on; (N, 3), world [m].")
+           "gates"_a = ltp::GateSizes(0, 2),
+           "Replaces what is left of the global path from the next scan on; (N, 3), world [m].\n"
+           "gates: as LocalTrajectoryPlanner's.")
       .def("set_priority", &Concurrent::set_priority, "priority"_a,
            "Another Raster in [0, 1], from the next scan on; until then there is no path.")
       .def("sense", &sense<Concurrent>, "origin"_a, "hits"_a, "misses"_a = py::none(),
@@ -140,6 +142,13 @@ void bind_options(py::module_& m) {
              "farther from its path the UAV has left it [m]; 0: one horizontal cell diagonal")
       .field("escape_distance", &ltp::NavigationOptions::escape_distance,
              "how far to look for a free cell when standing in a blocked one [m]")
+      .field("gate_radius", &ltp::NavigationOptions::gate_radius,
+             "a waypoint but the last is served within it, horizontally [m]; 0: it is a point, see "
+             "`reach_distance`")
+      .field("gate_height", &ltp::NavigationOptions::gate_height,
+             "the same, up and down [m]; 0: one cell")
+      .field("horizon", &ltp::NavigationOptions::horizon,
+             "waypoints that are planned jointly, >= 1")
       .field("max_expansions", &ltp::NavigationOptions::max_expansions,
              "of a plan, see `Budget`; 0: no limit")
       .field("time_limit", &ltp::NavigationOptions::time_limit,
@@ -188,11 +197,13 @@ void bind_results(py::module_& m) {
       .result("why", &ltp::WaypointEvent::why, "the same as a reason with a text; NONE: reached")
       .result("position", &ltp::WaypointEvent::position, "(3,), of the UAV [m]")
       .result("goal", &ltp::WaypointEvent::goal, "(3,), the waypoint [m]")
+      .result("distance", &ltp::WaypointEvent::distance, "from the UAV to the waypoint [m]")
       .result("window_origin", &ltp::WaypointEvent::window_origin, "(3,), of the map's window [m]");
 
   Fields<ltp::PlanRecord>(m, "PlanRecord", "One answer of the planner.")
       .result("waypoint", &ltp::PlanRecord::waypoint, "for which it was asked")
-      .result("direct_length", &ltp::PlanRecord::direct_length, "L_direct of the query [m]")
+      .result("direct_length", &ltp::PlanRecord::direct_length,
+              "L_direct of the query [m]; with a horizon of all its legs")
       .result("plan", &ltp::PlanRecord::plan, "the answer");
 }
 
@@ -205,8 +216,11 @@ void bind_local(py::module_& m) {
            "planner_options"_a = ltp::PlannerOptions{}, "map_options"_a = ltp::ObstacleMapOptions{},
            "options"_a = ltp::NavigationOptions{},
            "priority: Raster in [0, 1]. position: (3,) [m]. planner: one of `ltp.PLANNERS`.")
-      .def("set_waypoints", &Ltp::set_waypoints, "waypoints"_a,
-           "Replaces what is left of the global path; (N, 3), world [m].")
+      .def("set_waypoints", &Ltp::set_waypoints, "waypoints"_a, "gates"_a = ltp::GateSizes(0, 2),
+           "Replaces what is left of the global path; (N, 3), world [m]. gates: (N, 2), radius and "
+           "height "
+           "in which each is served\n"
+           "[m], 0: within `reach_distance`, one cell; default: those of the options.")
       .def("set_priority", &Ltp::set_priority, "priority"_a)
       .def("sense", &sense<Ltp>, "origin"_a, "hits"_a, "misses"_a = py::none(),
            "Adds a scan: where its rays began, (3,) or a Pose whose attitude turns the map's body "

@@ -66,8 +66,9 @@ using Band = std::pair<double, double>;
 
 ltp::AltitudeBand band_of(const Band& band) { return {band.first, band.second}; }
 
-ltp::Query make_query(const ltp::Point& start, const ltp::Point& goal, const Band& band) {
-  return {start, goal, band_of(band)};
+ltp::Query make_query(const ltp::Point& start, const ltp::Point& goal, const Band& band,
+                      double gate_radius, double gate_height, const std::vector<ltp::Gate>& then) {
+  return {start, goal, band_of(band), gate_radius, gate_height, then};
 }
 
 void bind_values(py::module_& m) {
@@ -78,19 +79,39 @@ void bind_values(py::module_& m) {
            }),
            "occupancy"_a, "priority"_a, py::keep_alive<1, 2>(), py::keep_alive<1, 3>());
 
+  Fields<ltp::Gate>(m, "Gate",
+                    "A waypoint with the region in which it is served: an upright cylinder.")
+      .result("point", &ltp::Gate::point, "(3,), world [m]")
+      .result("radius", &ltp::Gate::radius, "horizontally [m]; 0: the cell of the point")
+      .result("height", &ltp::Gate::height, "above and below the point [m]")
+      .bound()
+      .def(py::init([](const ltp::Point& point, double radius, double height) {
+             return ltp::Gate{point, radius, height};
+           }),
+           "point"_a, "radius"_a = 0.0, "height"_a = 0.0);
+
   py::class_<ltp::Query>(
       m, "Query", "From where to where, and how far the path may leave the altitudes between.")
       .def(py::init(&make_query), "start"_a, "goal"_a,
            "band"_a = Band(std::numeric_limits<double>::infinity(),
                            std::numeric_limits<double>::infinity()),
+           "gate_radius"_a = 0.0, "gate_height"_a = 0.0, "then"_a = std::vector<ltp::Gate>{},
            "start, goal: (3,), world [m]. band: (below, above), how far the path may go under the "
            "lower and over the\n"
            "higher of both ends [m], >= 0; (0, 0) is planar flight, the default is open to the "
-           "whole window.")
+           "whole window. gate_radius, gate_height: of the region about the goal in which it is "
+           "served [m], >= 0; the path ends\n"
+           "where it enters; radius 0: at the point itself. then: the Gates after it, planned "
+           "jointly; the path passes them in\n"
+           "order, and L_direct is the way through all their points.")
       .def_readonly("start", &ltp::Query::start)
       .def_readonly("goal", &ltp::Query::goal)
       .def_property_readonly(
-          "band", [](const ltp::Query& query) { return Band(query.band.below, query.band.above); });
+          "band", [](const ltp::Query& query) { return Band(query.band.below, query.band.above); })
+      .def_readonly("gate_radius", &ltp::Query::gate_radius)
+      .def_readonly("gate_height", &ltp::Query::gate_height)
+      .def_readonly("then", &ltp::Query::then)
+      .def_property_readonly("direct_length", &ltp::direct_length, "L_direct of Eq. (3) [m]");
 
   py::enum_<ltp::PlanStatus>(m, "PlanStatus", "How a plan ended.")
       .value("FOUND", ltp::PlanStatus::Found)
@@ -121,6 +142,10 @@ void bind_values(py::module_& m) {
               "`ltp.onto_columns` of it")
       .result("stats", &ltp::Plan::stats, "what the search did")
       .bound()
+      .def_readonly("passed", &ltp::Plan::passed,
+                    "where along the path each waypoint is passed, arc lengths [m]; fewer than "
+                    "asked for where a later one is\n"
+                    "blocked, unreachable or beyond the window; empty unless FOUND")
       .def_readonly("path", &ltp::Plan::path,
                     "(N, 3), start ... goal, world [m]; empty unless FOUND");
 
@@ -239,7 +264,11 @@ void bind_registry(py::module_& m) {
       .result("remembers", trait(ltp::Trait::Remembers),
               "an answer may depend on what was asked before")
       .result("uses_priority", trait(ltp::Trait::UsesPriority), "the priority map shapes its paths")
-      .result("bounds", trait(ltp::Trait::Bounds), "proves a lower bound of Eq. (5)");
+      .result("bounds", trait(ltp::Trait::Bounds), "proves a lower bound of Eq. (5)")
+      .result("regions", trait(ltp::Trait::Regions),
+              "its goal is a whole region; others are given one cell of it")
+      .result("horizon", trait(ltp::Trait::Horizon),
+              "plans several waypoints jointly; others go leg by leg");
   m.def("planners", &ltp::planners, "All planners, in the order of the paper's tables.");
   m.def("planner_info", &planner_info, "name"_a,
         "The planner of a name; an old name warns. ValueError for an unknown one, listing those "

@@ -356,8 +356,13 @@ NavigationReason Navigator::take_route(const Query& query, const Plan* inside,
 /// for all of them.
 PlanStatus Navigator::find_route(const Query& query, bool& sealed,
                                  const std::function<bool()>& interrupted) {
+  const Point reach(query.gate_radius, query.gate_radius, query.gate_height);
+  memory_.make_room(query.start.cwiseMin(query.goal - reach),
+                    query.start.cwiseMax(query.goal + reach));
+  std::vector<Point> ends = Gates::free_points(memory_.blocked(), query);
+  if (ends.empty()) ends.push_back(query.goal);  // too far away for that
   PlanStatus status = PlanStatus::NoneFound;
-  for (const Point& end : Gates::free_points(memory_.blocked(), query)) {
+  for (const Point& end : ends) {
     const Query to_end = query_to(query.start, end);
     const Point aim = towards(to_end);
     status = route_->find(memory_.blocked(), query_to(query.start, aim), interrupted);

@@ -23,7 +23,7 @@ from ltp._core import (
 )
 from ltp.config.guidance import GuidanceOptions
 from ltp.config.moved import MOVED, warn_of, with_new_names
-from ltp.config.ranges import check_ranges, check_window
+from ltp.config.ranges import GATE, check_ranges, check_window
 from ltp.config.tables import assign, differences, field_names, plain, read_toml, toml_lines
 from ltp.files import atomic_write
 from ltp.world.classes import Landable, landable_classes
@@ -64,6 +64,11 @@ class MissionConfig:
         '"strict", "wide", or what may be landed on, by class: ["grass", "ground"]',
     ] = "wide"
     fov_deg: Annotated[float, "opening angle of the look-down camera [deg]"] = 53.0
+    gate: Annotated[
+        str | float,
+        'where a waypoint but the last is served: at its "point", anywhere within half the '
+        '"camera"\'s footprint, or within so many metres',
+    ] = "point"
     step: Annotated[float, "of the simulation: scan, plan and move at 10 Hz [s]"] = 0.1
     time_limit_factor: Annotated[
         float, "a flight may take so many times as long as the global path takes at full speed"
@@ -111,6 +116,8 @@ class MissionConfig:
             )
         if self.priority_map not in ("binary", "lpf"):
             raise ValueError(f'priority_map = {self.priority_map!r}: expected "binary" or "lpf"')
+        if self.gate not in ("point", "camera") and self.gate not in GATE:
+            raise ValueError(f'gate = {self.gate!r}: expected "point", "camera" or {GATE}')
         allowed = landable_classes(self.landable)
         if not isinstance(self.landable, str):
             self.landable = tuple(kind.name.lower() for kind in sorted(allowed))
@@ -125,8 +132,11 @@ class MissionConfig:
         for name in MOVED.keys() & values.keys():
             warn_of(name)
         config, values = cls(), with_new_names(values)
-        if isinstance(values.get("landable"), list | tuple):  # the one setting of two kinds
+        # The settings of two kinds.
+        if isinstance(values.get("landable"), list | tuple):
             config.landable = values.pop("landable")
+        if type(values.get("gate")) in (int, float):
+            config.gate = values.pop("gate")
         assign(config, values)
         config.check()
         return config

@@ -94,10 +94,15 @@ RANGES: Mapping[str, Range] = {
     "navigation.reach_distance": Range(0.0, 1000.0, "m"),
     "navigation.leave_distance": Range(0.0, 1e4, "m"),
     "navigation.escape_distance": Range(0.01, 1e4, "m"),
+    "navigation.gate_radius": Range(0.0, 1000.0, "m"),
+    "navigation.gate_height": Range(0.0, 1000.0, "m"),
+    "navigation.horizon": Range(1, 20),
     "navigation.max_expansions": Range(0, 10**12, "cells"),
     "navigation.time_limit": Range(0.0, 3600.0, "s"),
     "navigation.max_detour": Range(0.0, 1e6, "m"),
 }
+
+GATE = Range(0.0, 1000.0, "m")  # where `gate` is a number
 
 _MOST_CELLS = 10**8  # of the window: 60 times the default's, some GB
 _WIDEST = 64  # cells that the radius may span: every one within it is visited

@@ -109,7 +109,7 @@ class Flight:
         self._guided_by, self._ended, self._stopped = self.guidance, False, False
         self._log, self._steps = FlightLog(), StepMaker()
         self._waypoints, self._priority = setup.waypoints, setup.priority
-        self.planner.set_waypoints(self._waypoints)
+        self._tell(self._waypoints)
 
     def __repr__(self) -> str:
         setup = self.setup
@@ -218,10 +218,15 @@ class Flight:
         self.setup.check(points)
         if not self._watchers:  # it begins with them
             self.setup = self.setup.along(points)
-        self.planner.set_waypoints(points)
+        self._tell(points)
         self._steps.other_waypoints(self.planner)
         self._waypoints = points
         self.held = 0.0
+
+    def _tell(self, waypoints: NDArray[np.float64]) -> None:
+        """Give the planner its waypoints; their gates, where they are not just points."""
+        gates = self.setup.gates(waypoints)
+        self.planner.set_waypoints(waypoints, *([gates] if len(gates) else []))
 
     def set_priority(self, priority: Raster) -> None:
         """Fly with another priority map, as it stands; `ValueError` if a value is no priority."""

@@ -38,8 +38,11 @@ class FlightPlanner(Protocol):
     def update(self, position: Any, /) -> NavigationStatus:
         """Decide what to do at a position (3,) [m]."""
 
-    def set_waypoints(self, waypoints: Any, /) -> None:
-        """Replace what is left of the waypoints, (n, 3) [m]."""
+    def set_waypoints(self, waypoints: Any, gates: Any = ..., /) -> None:
+        """Replace what is left of the waypoints, (n, 3) [m].
+
+        Their gates, (n, 2), radius and height [m], are only given where they are not points.
+        """
 
     def set_priority(self, priority: Any, /) -> None:
         """Go on with another priority map."""

@@ -128,6 +128,31 @@ class MissionSetup:
             check_take_off(self.world, self.config, path)
         return dataclasses.replace(self, global_path=path)
 
+    def gates(self, waypoints: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Radius and height in which each of the waypoints is served [m]; (0, 2): as points.
+
+        The camera's radius is half its footprint at the waypoint's height above ground. The last
+        waypoint stays a point. Height 0: one cell.
+
+        Args:
+            waypoints: (n, 3) [m].
+
+        Returns:
+            (n, 2), or (0, 2).
+        """
+        gate = self.config.gate
+        if gate == "point" or not len(waypoints):
+            return np.zeros((0, 2))
+        gates = np.zeros((len(waypoints), 2))
+        if isinstance(gate, str):
+            ground = self.world.ground_raster().at(waypoints[:, 0], waypoints[:, 1])
+            half_angle = np.radians(self.config.fov_deg) / 2
+            gates[:, 0] = np.maximum(0.0, waypoints[:, 2] - ground) * np.tan(half_angle)
+        else:
+            gates[:, 0] = gate
+        gates[-1] = 0.0
+        return gates
+
     def first_touch(
         self, before: NDArray[np.float64], after: NDArray[np.float64]
     ) -> tuple[float, float, float] | None:
