@@ -300,7 +300,9 @@ class HeightSurface(Surface):
         ...
 class OctreeSurface(Surface):
     """
-    The occupied voxels of an OctoMap octree; rays are walked exactly.
+    The occupied voxels of an OctoMap octree, as bricks of bits; rays are walked exactly. The
+    bounding box may have any size; ValueError if voxels lie so scattered that they would take
+    more than 1 GiB.
     """
     @typing.overload
     def __init__(self, path: os.PathLike | str | bytes) -> None:
@@ -315,6 +317,11 @@ class OctreeSurface(Surface):
     def __repr__(self) -> str:
         ...
     @property
+    def memory(self) -> int:
+        """
+        of the bricks and what is above them [bytes]
+        """
+    @property
     def resolution(self) -> float:
         """
         edge of a voxel [m]
@@ -327,7 +334,8 @@ class OctreeSurface(Surface):
     @property
     def voxels(self) -> OccupancyGrid:
         """
-        OccupancyGrid over their bounding box
+        OccupancyGrid over their bounding box, made when it is first asked for; ValueError if
+        the box has 2^31 voxels or more
         """
 class LidarPattern:
     """
@@ -1589,7 +1597,7 @@ class NavigationOptions:
     """
     When a waypoint is reached, a path left, a height allowed.
     """
-    __fields__: typing.ClassVar[tuple] = ('band', 'reach_distance', 'leave_distance', 'escape_distance', 'gate_radius', 'gate_height', 'horizon', 'max_expansions', 'time_limit', 'memory_widths')
+    __fields__: typing.ClassVar[tuple] = ('band', 'reach_distance', 'leave_distance', 'escape_distance', 'gate_radius', 'gate_height', 'horizon', 'max_expansions', 'time_limit', 'max_detour', 'fly_route')
     def __copy__(self) -> NavigationOptions:
         ...
     def __deepcopy__(self, memo: dict) -> NavigationOptions:
@@ -1617,6 +1625,14 @@ class NavigationOptions:
         """
     @escape_distance.setter
     def escape_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def fly_route(self) -> bool:
+        """
+        where the planner finds no path and a way is known, fly the shortest one instead of holding
+        """
+    @fly_route.setter
+    def fly_route(self, arg0: bool) -> None:
         ...
     @property
     def gate_height(self) -> float:
@@ -1651,6 +1667,14 @@ class NavigationOptions:
     def leave_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def max_detour(self) -> float:
+        """
+        a waypoint that would cost more metres than the shortest way to it that was known at first, by so many, is skipped as too far [m]; 0: none is
+        """
+    @max_detour.setter
+    def max_detour(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
     def max_expansions(self) -> int:
         """
         of a plan, see `Budget`; 0: no limit
@@ -1661,10 +1685,10 @@ class NavigationOptions:
     @property
     def memory_widths(self) -> int:
         """
-        how many windows wide the memory is from which proofs are drawn; 1 where obstacles move
+        Without effect.
         """
     @memory_widths.setter
-    def memory_widths(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+    def memory_widths(self, arg1: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
     @property
     def reach_distance(self) -> float:
@@ -1758,8 +1782,6 @@ class NavigationReason:
 
       WALLED_IN : the UAV is walled in by its own map
 
-      NO_STOPOVER : the waypoint lies beyond the map's window, and no point of the leg to it can be reached
-
       OUT_OF_BUDGET : the planner's budget ran out before it found a path
 
       NO_PATH : no path was found, and no proof that there is none
@@ -1768,6 +1790,8 @@ class NavigationReason:
 
       UNREACHABLE : the waypoint is proved unreachable: all around it is closed
 
+      TOO_FAR : the waypoint is too far: the way to it is longer than the largest detour allows
+
       ALL_DROPPED : all waypoints were dropped, none was reached
     """
     ALL_DROPPED: typing.ClassVar[NavigationReason]
@@ -1775,10 +1799,10 @@ class NavigationReason:
     NONE: typing.ClassVar[NavigationReason]
     NO_ESCAPE: typing.ClassVar[NavigationReason]
     NO_PATH: typing.ClassVar[NavigationReason]
-    NO_STOPOVER: typing.ClassVar[NavigationReason]
     OUT_OF_BUDGET: typing.ClassVar[NavigationReason]
     START_BLOCKED: typing.ClassVar[NavigationReason]
     START_IN_GROUND: typing.ClassVar[NavigationReason]
+    TOO_FAR: typing.ClassVar[NavigationReason]
     UNDECIDED: typing.ClassVar[NavigationReason]
     UNREACHABLE: typing.ClassVar[NavigationReason]
     WALLED_IN: typing.ClassVar[NavigationReason]
@@ -1862,7 +1886,7 @@ class WaypointEvent:
     @property
     def reason(self) -> PlanStatus:
         """
-        why it was dropped: GOAL_BLOCKED or UNREACHABLE
+        why it was dropped: GOAL_BLOCKED or UNREACHABLE, on proof; NONE_FOUND: it was too far
         """
     @property
     def why(self) -> NavigationReason:

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Regret: what was flown against what one could have flown knowing all obstacles."""
 
-from .judge import RegretJudge, check_gate, served_radius
+from .judge import RegretJudge, check_gate, gates_of, served_radius
 from .regret import TABLE, RegretObserver, run_regret
 from .rows import RegretRow, read_regrets
 
@@ -12,6 +12,7 @@ __all__ = [
     "RegretObserver",
     "RegretRow",
     "check_gate",
+    "gates_of",
     "read_regrets",
     "run_regret",
     "served_radius",

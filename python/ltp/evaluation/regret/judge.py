@@ -28,6 +28,16 @@ def served_radius(config: MissionConfig) -> float:
     return config.navigation.reach_distance or float(np.hypot(*config.mapping.cell[:2]))
 
 
+def gates_of(setup: MissionSetup) -> NDArray[np.float64]:
+    """The same of each waypoint of a mission, (n,) [m]: its gate where that is wider."""
+    options, waypoints = setup.config.navigation, setup.waypoints
+    given = setup.gates(waypoints)
+    radii = given[:, 0] if len(given) else np.full(len(waypoints), options.gate_radius)
+    if not len(given):
+        radii[-1:] = 0.0
+    return np.maximum(radii, served_radius(setup.config))
+
+
 def check_gate(gate: float | None) -> None:
     """Refuse what is no radius.
 
@@ -64,11 +74,14 @@ class RegretJudge:
             key: of the row to be made.
         """
         config = record.config
-        waypoints = np.array([e.goal for e in record.waypoints if e.outcome == "reached"])
+        served = [entry for entry in record.waypoints if entry.outcome == "reached"]
+        waypoints = np.array([entry.goal for entry in served])
         last = served_radius(config)
-        radii = np.full(len(waypoints), last if self._gate is None else self._gate)
-        radii[-1:] = last
         setup = MissionSetup.of(self._world, config, record.global_path, self._priority)
+        radii = gates_of(setup)[[entry.index for entry in served]]
+        if self._gate is not None:
+            radii[:] = self._gate
+            radii[-1:] = last
         weights, direct = config.planner_options.weights, record.global_length
         begin = time.perf_counter()
         legs: Route | None = None
@@ -104,7 +117,7 @@ class RegretJudge:
             outcome=flight.outcome,
             waypoints=flight.waypoints,
             served=len(waypoints),
-            gate=last if self._gate is None else self._gate,
+            gate=float(radii.max(initial=last)) if self._gate is None else self._gate,
             last_gate=last,
             global_length=direct,
             flown=flown_penalty(record),

@@ -16,12 +16,14 @@ from ltp.evaluation.regret import (
     TABLE,
     RegretJudge,
     RegretRow,
+    gates_of,
     read_regrets,
     run_regret,
     served_radius,
 )
 from ltp.evaluation.regret.tables import markdown_regrets, summarise_regrets
 from ltp.evaluation.scenarios import Scenario
+from ltp.sim import MissionSetup
 from ltp.world import World
 from tests.python.scenes import box_world, regret_row
 
@@ -46,6 +48,18 @@ def test_a_straight_flight_over_empty_ground_has_no_regret(tmp_path: Path) -> No
     one_cell = 0.5 * 2.0 / 80.0
     for ideal in (row.legs, row.joint):
         assert ideal is not None and abs(row.flown - ideal) < one_cell
+
+
+def test_gates_are_those_that_were_flown() -> None:
+    world, path = box_world([]), STRAIGHT
+    reach = served_radius(MissionConfig())
+    half = math.tan(math.radians(53.0 / 2))
+    for gate, first in {"point": reach, "camera": 30.0 * half, 12.0: 12.0, 1.0: reach}.items():
+        setup = MissionSetup.of(world, MissionConfig(gate=gate), path)
+        np.testing.assert_allclose(gates_of(setup), [first, reach])
+    config = MissionConfig()
+    config.navigation.gate_radius = 9.0
+    np.testing.assert_allclose(gates_of(MissionSetup.of(world, config, path)), [9.0, reach])
 
 
 def test_what_is_seen_late_is_regretted_and_gates_serve_more(tmp_path: Path) -> None:
