@@ -34,8 +34,11 @@ def scene(seed: int) -> ltp.Scene:
 def test_refined_paths_are_better_and_shorter(name: str) -> None:
     limits = {
         "bezier": ltp.BezierOptions(offsets=15, reach=30.0),
-        "exact": ltp.ExactOptions(memory=2.0),  # circling pays here: it shall give up soon
+        # Circling pays here: they shall give up soon.
+        "exact": ltp.ExactOptions(memory=2.0),
     }
+    if name == "sweep":
+        limits["linearised"] = ltp.LinearisedOptions(closing=2000)
     gains = []
     for seed in range(20):
         query = ltp.Query((3, 3 + 3 * seed, 14), (77, 71 - 3 * seed, 14), (0, 0))
