@@ -46,6 +46,11 @@ Query over(const AltitudeRange& altitudes, Query query) {
   return query;
 }
 
+/// Where a plan passes its first gate [m]; a planner that knows no gates leads there.
+double to_first_gate(const Plan& plan) {
+  return plan.passed.empty() ? plan.tally.length : plan.passed.front();
+}
+
 bool same_cell(const GridFrame& frame, const Point& a, const Point& b) {
   return frame.cell_of(a) == frame.cell_of(b);
 }
@@ -226,7 +231,7 @@ NavigationReason Navigator::follow(NavigationStatus status, const Path& path) {
 /// Follows a plan through the next gates.
 NavigationReason Navigator::follow_through(const Plan& plan) {
   follow(NavigationStatus::Following, plan.path);
-  served_at_ = plan.passed.front();
+  served_at_ = to_first_gate(plan);
   return NavigationReason::None;
 }
 
@@ -306,7 +311,7 @@ NavigationReason Navigator::set_out(const Point& position,
   const Plan& plan = ask(query, interrupted);
   const bool matters = options_.max_detour > 0.0 || measured_on_ == memory_.version() ||
                        plan.status != PlanStatus::Found ||
-                       plan.passed.front() > out_and_back(frame, query);
+                       to_first_gate(plan) > out_and_back(frame, query);
   if (matters) return take_route(query, &plan, interrupted);
   return follow_through(plan);
 }
@@ -329,7 +334,7 @@ NavigationReason Navigator::take_route(const Query& query, const Plan* inside,
   const bool stalled = is_stalled();
   const bool stays = inside != nullptr && route_->stays_in(frame);
   const bool found = inside != nullptr && inside->status == PlanStatus::Found;
-  if (!stalled && found && (stays || inside->passed.front() <= route_->length())) {
+  if (!stalled && found && (stays || to_first_gate(*inside) <= route_->length())) {
     return follow_through(*inside);
   }
   stopover_ = !stays;
