@@ -8,6 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import ltp._core
@@ -16,6 +17,7 @@ ROOT = Path(__file__).parents[2]
 STUB = ROOT / "python/ltp/_core.pyi"
 
 
+@pytest.mark.skipif(np.__version__.startswith("1."), reason="it is written in NumPy 2's names")
 def test_stub_has_not_drifted(tmp_path: Path) -> None:
     pytest.importorskip("pybind11_stubgen", reason="install ltp-uav[test]")
     fresh = tmp_path / "_core.pyi"
