@@ -104,5 +104,5 @@ def _label(summary: RegretSummary) -> str:
     variant = summary.variant
     return (
         f"{variant.contender.title}\n{MAP_NAMES[variant.priority_map]}, W_P/W_L = "
-        f"{variant.ratio:g}, {summary.gate:.3g} m"
+        f"{variant.ratio:g}, gates of {summary.gate:.3g} m"
     )
