@@ -557,7 +557,7 @@ class ObstacleMapOptions:
     """
     Settings of the obstacle map.
     """
-    __fields__: typing.ClassVar[tuple] = ('cell', 'dims', 'inflation_radius', 'max_range', 'blind_distance', 'body_min', 'body_max', 'carve_free_space', 'keep_hits', 'hit_log_odds', 'miss_log_odds', 'min_log_odds', 'max_log_odds')
+    __fields__: typing.ClassVar[tuple] = ('cell', 'dims', 'inflation_radius', 'margin', 'inflate_whole_cells', 'max_range', 'blind_distance', 'body_min', 'body_max', 'remember', 'carve_free_space', 'keep_hits', 'hit_log_odds', 'miss_log_odds', 'min_log_odds', 'max_log_odds')
     def __copy__(self) -> ObstacleMapOptions:
         ...
     def __deepcopy__(self, memo: dict) -> ObstacleMapOptions:
@@ -627,9 +627,17 @@ class ObstacleMapOptions:
     def hit_log_odds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def inflate_whole_cells(self) -> bool:
+        """
+        measure from whole occupied cells, not from the voxels in them: blocks more where cells are higher than wide
+        """
+    @inflate_whole_cells.setter
+    def inflate_whole_cells(self, arg0: bool) -> None:
+        ...
+    @property
     def inflation_radius(self) -> float:
         """
-        a cell this near to an occupied cell is blocked [m]; 0: only those occupied
+        the vehicle's radius [m]: a cell within it, and the margin, of an occupied voxel is blocked
         """
     @inflation_radius.setter
     def inflation_radius(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -641,6 +649,14 @@ class ObstacleMapOptions:
         """
     @keep_hits.setter
     def keep_hits(self, arg0: bool) -> None:
+        ...
+    @property
+    def margin(self) -> float:
+        """
+        added to inflation_radius [m], for errors of pose, range and path keeping
+        """
+    @margin.setter
+    def margin(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def max_log_odds(self) -> float:
@@ -673,6 +689,14 @@ class ObstacleMapOptions:
         """
     @miss_log_odds.setter
     def miss_log_odds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def remember(self) -> bool:
+        """
+        keep what leaves the window, without limit: it is there again when the window comes back
+        """
+    @remember.setter
+    def remember(self, arg0: bool) -> None:
         ...
 class InsertStatistics:
     """
@@ -720,7 +744,7 @@ class InsertStatistics:
     @property
     def outside(self) -> int:
         """
-        hits beyond the window
+        hits beyond the window: kept for when it comes there, if the map remembers and does not carve
         """
     @property
     def too_near(self) -> int:
@@ -730,8 +754,9 @@ class InsertStatistics:
 class ObstacleMap:
     """
     What the sensor has touched round the UAV. Voxels are the memory, planning cells the view: a cell is
-    occupied if any voxel in it is, blocked if within the inflation radius of an occupied one. Use a map from
-    one thread at a time. The map of a planner is read-only: what would change it raises ValueError.
+    occupied if any voxel in it is, blocked if its box is within inflation_radius + margin of an occupied voxel's
+    box. Use a map from one thread at a time. The map of a planner is read-only: what would change it raises
+    ValueError.
     """
     def __init__(self, options: ObstacleMapOptions = ..., centre: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"] = ...) -> None:
         """
@@ -753,25 +778,37 @@ class ObstacleMap:
         """
     def load(self, path: os.PathLike | str | bytes) -> None:
         """
-        Adds what a `.bt` or `.ot` file of the same voxel size knows about the window. ValueError names the file; the
-        map then stays as it was.
+        Adds what a `.bt` or `.ot` file of the same voxel size knows (with `remember` off: about the window). ValueError
+        names the file; the map then stays as it was.
         """
     def log_odds_at(self, point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> float:
         """
-        Log-odds of the voxel at a point (3,) [m]; 0 where nothing is known.
+        Log-odds of the voxel at a point (3,) [m], in the window or remembered; 0 where nothing is known.
         """
     def recentre(self, centre: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> typing.Annotated[numpy.typing.NDArray[numpy.int32], "[3, 1]"]:
         """
-        Centres the window on a point (3,) [m]; what leaves is forgotten. Returns the shift in cells, (3,) int.
+        Centres the window on a point (3,) [m]. Cells that enter are as they were when they left; with `remember` off
+        what leaves is forgotten. Returns the shift in cells, (3,) int.
+        """
+    def remembered(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
+        """
+        (N, 3), centres of all occupied voxels of the mission, in the window and beyond [m]; with `remember` off, of
+        the window.
         """
     def save(self, path: os.PathLike | str | bytes) -> None:
         """
-        Writes OctoMap's `.bt` (occupied or free) or `.ot` (log-odds), atomically.
+        Writes the whole mission (with `remember` off: the window) as OctoMap's `.bt` (occupied or free) or `.ot`
+        (log-odds), atomically.
         """
     @property
     def blocked(self) -> OccupancyGrid:
         """
         the same, inflated: what planners get; a view that follows the map
+        """
+    @property
+    def mission_bytes(self) -> int:
+        """
+        what the memory of the mission takes, roughly [bytes]
         """
     @property
     def occupied(self) -> OccupancyGrid:
@@ -789,7 +826,7 @@ class ObstacleMap:
     @property
     def version(self) -> int:
         """
-        grows, from 0, whenever planning cells become occupied or free: by a scan, a file or `clear`
+        grows, from 0, whenever planning cells become occupied, blocked or free: by a scan, a file or `clear`
         """
     @property
     def voxel_size(self) -> float:
@@ -2177,10 +2214,11 @@ def flood_fill(grid: OccupancyGrid, query: Query) -> numpy.typing.NDArray[numpy.
     bool (nx, ny, nz): the cells that any planner could reach from the query's start within its band, by a flood
     that shares nothing with the planners. ValueError if the start is outside the grid.
     """
-def inflate(grid: OccupancyGrid, radius: typing.SupportsFloat | typing.SupportsIndex) -> OccupancyGrid:
+def inflate(grid: OccupancyGrid, radius: typing.SupportsFloat | typing.SupportsIndex, parts: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], "FixedSize(3)"] = [1, 1, 1]) -> OccupancyGrid:
     """
     The grid with every cell blocked whose box is within `radius` [m] of the box of a blocked one: any radius > 0
-    adds at least the 26 neighbours, 0 none.
+    adds at least the 26 neighbours, 0 none. With `parts`, so many of the given grid's cells along each edge make one
+    of the result's. ValueError unless its dims, and where its window begins, are multiples.
     """
 def onto_columns(raster: Raster, frame: GridFrame) -> Raster:
     """

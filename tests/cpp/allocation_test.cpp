@@ -28,7 +28,7 @@ TEST(Allocations, AreCounted) {
   EXPECT_EQ(left, 0);
 }
 
-TEST(Allocations, TheMapMakesNoneOnceItExists) {
+TEST(Allocations, AMapThatForgetsMakesNoneOnceItExists) {
   std::mt19937_64 random(9);
   std::normal_distribution<double> normal;
   for (const bool carve : {false, true}) {
@@ -37,6 +37,7 @@ TEST(Allocations, TheMapMakesNoneOnceItExists) {
       options.dims = {50, 50, 40};
       options.carve_free_space = carve;
       options.keep_hits = keep_hits;
+      options.remember = false;  // what is new to a mission is allocated for
       Point position = Point::Zero();
       ObstacleMap map(options, position);
       std::vector<Point> hits(500), misses(500);

@@ -66,9 +66,9 @@ struct Footprint {
   bool finished = false;
 };
 
-/// By the default planner and options. Flies along whatever path there is, without inertia; the
-/// world and its scans are not counted.
-Footprint fly() {
+/// By the default planner and options, remembering the mission or not. Flies along whatever path
+/// there is, without inertia; the world and its scans are not counted.
+Footprint fly(bool remember) {
   const HeightSurface world(town());
   const Lidar lidar;
   const Path waypoints = global_path();
@@ -77,7 +77,9 @@ Footprint fly() {
   lidar.scan(world, pose(position), 0, scan);
   Footprint footprint;
   const std::int64_t before = test::bytes();
-  LocalTrajectoryPlanner ltp({}, {}, priority(), position);
+  ObstacleMapOptions options;
+  options.remember = remember;
+  LocalTrajectoryPlanner ltp(options, {}, priority(), position);
   ltp.set_waypoints(waypoints);
   while (footprint.steps < 3000 && !footprint.finished) {
     lidar.scan(world, pose(position), ++footprint.steps, scan);
@@ -95,13 +97,20 @@ Footprint fly() {
 }
 
 TEST(Footprint, OfAPlanarFlightStaysUnder32MegabytesAndAllocatesOnlyToPlan) {
-  const Footprint footprint = fly();
-  EXPECT_TRUE(footprint.finished);
-  EXPECT_GT(footprint.plans, 10);
-  EXPECT_LT(footprint.most, 32 * kMegabyte);
-  EXPECT_EQ(footprint.standing, 0) << "in " << footprint.steps << " steps";
-  RecordProperty("megabytes", std::to_string(footprint.most / kMegabyte));
-  RecordProperty("allocations_per_plan", std::to_string(footprint.planning / footprint.plans));
+  for (const bool remember : {false, true}) {
+    const Footprint footprint = fly(remember);
+    EXPECT_TRUE(footprint.finished);
+    EXPECT_GT(footprint.plans, 10);
+    EXPECT_LT(footprint.most, 32 * kMegabyte);
+    // The mission allocates for voxels that are new to it.
+    if (!remember) {
+      EXPECT_EQ(footprint.standing, 0) << "in " << footprint.steps << " steps";
+    }
+    const std::string suffix = remember ? "_remembering" : "";
+    RecordProperty("megabytes" + suffix, std::to_string(footprint.most / kMegabyte));
+    RecordProperty("allocations_per_plan" + suffix,
+                   std::to_string(footprint.planning / footprint.plans));
+  }
 }
 
 }  // namespace

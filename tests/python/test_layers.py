@@ -268,7 +268,7 @@ def test_evaluation_floors() -> None:
 def test_octomap_has_one_door() -> None:
     pattern = re.compile(r"#\s*include\s*[<\"]octomap")
     users = [path for path in cpp_files(ROOT) if pattern.search(path.read_text())]
-    assert users == [ROOT / "cpp/src/grid/octree_file.cpp"]
+    assert users == [ROOT / "cpp/src/grid/octree.cpp"]
 
 
 def write(root: Path, name: str, text: str) -> None:

@@ -96,7 +96,8 @@ void bind_reprs(py::module_& m) {
   });
   say<ltp::ObstacleMap>(m, "ObstacleMap", [](const ltp::ObstacleMap& map) -> std::string {
     return Text() << of(map.occupied()) << ", " << map.blocked().count()
-                  << " within inflation_radius=" << map.options().inflation_radius << " m";
+                  << " within inflation_radius=" << map.options().inflation_radius
+                  << " m + margin=" << map.options().margin << " m";
   });
   say<ltp::Scene>(m, "Scene", [](const ltp::Scene& scene) -> std::string {
     return Text() << "occupancy: " << of(scene.occupancy) << "; priority: " << of(scene.priority);

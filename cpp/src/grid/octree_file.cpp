@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ltp/grid/octree_file.hpp"
 
-#include <octomap/OcTree.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,7 +9,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iomanip>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -57,24 +55,21 @@ OctreeLeaf to_world(const octree::Leaf& leaf, double resolution) {
   return world;
 }
 
-octomap::OcTreeKey key_of(const std::string& path, const OctreeLeaf& leaf, double resolution) {
-  octomap::OcTreeKey key;
+Cell voxel_of(const std::string& path, const OctreeLeaf& leaf, double resolution) {
+  Cell voxel;
   for (int axis = 0; axis < 3; ++axis) {
-    const double index = std::floor(leaf.centre[axis] / resolution) + octree::kCentreKey;
-    if (!(index >= 0.0 && index < 2.0 * octree::kCentreKey)) {
+    const double index = std::floor(leaf.centre[axis] / resolution);
+    if (!(index >= -Octree::kReach && index < Octree::kReach)) {
       refuse(path, "a leaf at " + std::to_string(leaf.centre[axis]) +
                        " m: expected within 32768 voxels of the origin");
     }
-    key[axis] = static_cast<octomap::key_type>(index);
+    voxel[axis] = static_cast<int>(index);
   }
-  return key;
+  return voxel;
 }
 
-octomap::OcTree to_tree(const std::string& path, const OctreeLeaves& octree, bool binary) {
-  octomap::OcTree tree(octree.resolution);
-  // Values are stored as they are; clamping is the map's business.
-  tree.setClampingThresMin(0.0);
-  tree.setClampingThresMax(1.0);
+Octree to_tree(const std::string& path, const OctreeLeaves& octree) {
+  Octree tree(octree.resolution);
   for (const OctreeLeaf& leaf : octree.leaves) {
     const double ratio = leaf.size / octree.resolution;
     if (!(std::abs(ratio - 1.0) < 1e-6)) {
@@ -85,25 +80,29 @@ octomap::OcTree to_tree(const std::string& path, const OctreeLeaves& octree, boo
       refuse(path, "a leaf with log-odds " + std::to_string(leaf.log_odds) +
                        ": expected a finite number");
     }
-    const float clamped = leaf.occupied() ? octree::kOccupied : octree::kFree;
-    tree.setNodeValue(key_of(path, leaf, octree.resolution),
-                      binary ? clamped : static_cast<float>(leaf.log_odds), true);
+    // A float may round what is below zero to -0, which is occupied.
+    const float rounded = static_cast<float>(leaf.log_odds);
+    const float log_odds =
+        leaf.occupied() || rounded < 0.0f ? rounded : -std::numeric_limits<float>::min();
+    tree.set(voxel_of(path, leaf, octree.resolution), log_odds);
   }
-  tree.updateInnerOccupancy();
-  tree.prune();
   return tree;
 }
 
-/// As OctoMap writes it. Its own function reports to stderr, and prints six digits of the
-/// resolution, which would move far voxels by metres.
-void write_header(const octomap::OcTree& tree, bool binary, std::ostream& stream) {
-  stream << (binary ? octree::kBinaryMagic : octree::kFullMagic) << "\n"
-         << "# (feel free to add / change comments, but leave the first line as it is!)\n#\n"
-         << "id OcTree\n"
-         << "size " << tree.size() << "\n"
-         << "res " << std::setprecision(std::numeric_limits<double>::max_digits10)
-         << tree.getResolution() << "\n"
-         << "data\n";
+/// Whether a path asks for `.bt`, not `.ot`.
+bool is_binary(const std::string& path) {
+  const std::string extension = fs::path(path).extension().string();
+  if (extension != ".bt" && extension != ".ot") {
+    refuse(path, "extension '" + extension + "': expected .bt or .ot");
+  }
+  return extension == ".bt";
+}
+
+void check_resolution(const std::string& path, double resolution) {
+  if (!(resolution > 0.0 && resolution <= 1e9)) {
+    refuse(path,
+           "resolution = " + std::to_string(resolution) + ": expected a positive number of metres");
+  }
 }
 
 void write_bytes(const std::string& path, const std::string& bytes) {
@@ -150,26 +149,17 @@ OctreeLeaves read_octree(const std::string& path) {
 }
 
 void write_octree(const std::string& path, const OctreeLeaves& octree) {
-  const std::string extension = fs::path(path).extension().string();
-  if (extension != ".bt" && extension != ".ot") {
-    refuse(path, "extension '" + extension + "': expected .bt or .ot");
-  }
-  if (!(octree.resolution > 0.0 && octree.resolution <= 1e9)) {
-    refuse(path, "resolution = " + std::to_string(octree.resolution) +
-                     ": expected a positive number of metres");
-  }
-  const bool binary = extension == ".bt";
-  const octomap::OcTree tree = to_tree(path, octree, binary);
+  is_binary(path);
+  check_resolution(path, octree.resolution);
+  write_octree(path, to_tree(path, octree));
+}
+
+void write_octree(const std::string& path, const Octree& octree) {
+  const bool binary = is_binary(path);
+  check_resolution(path, octree.resolution());
   std::ostringstream stream;
   stream.imbue(std::locale::classic());
-  write_header(tree, binary, stream);
-  if (tree.getRoot() != nullptr) {
-    if (binary) {
-      tree.writeBinaryNode(stream, tree.getRoot());
-    } else {
-      tree.writeData(stream);
-    }
-  }
+  octree.write(stream, binary);
   write_bytes(path, stream.str());
 }
 

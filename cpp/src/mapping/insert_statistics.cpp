@@ -40,8 +40,9 @@ std::vector<std::string> InsertStatistics::warnings(const ObstacleMapOptions& op
        " m and were not mapped: raise it to that of the sensor");
   const Point extent =
       Point(options.dims[0], options.dims[1], options.dims[2]).cwiseProduct(options.cell);
-  warn(outside, kFarLoss, "lie outside the map's window of ", extent.x(), " m x ", extent.y(),
-       " m x ", extent.z(), " m and were not mapped: give it more cells (dims)");
+  warn(options.keeps_hits_beyond() ? 0 : outside, kFarLoss, "lie outside the map's window of ",
+       extent.x(), " m x ", extent.y(), " m x ", extent.z(),
+       " m and were not mapped: give it more cells (dims)");
   warn(too_near, 0.0, "are nearer than the map's blind_distance of ", options.blind_distance,
        " m and were not mapped");
   warn(

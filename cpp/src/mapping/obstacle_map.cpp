@@ -3,6 +3,7 @@
 #include "ltp/mapping/obstacle_map.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "ltp/geometry/check.hpp"
 #include "ltp/grid/cell_finder.hpp"
@@ -63,8 +64,9 @@ ObstacleMap::ObstacleMap(const ObstacleMapOptions& options, const Point& centre)
       occupied_(planning_frame(options, centre)),
       blocked_(occupied_.frame()),
       voxels_(voxel_frame(options, centre)),
-      inflation_(occupied_.frame(), options.inflation_radius) {
+      inflation_(occupied_.frame(), options.clearance(), options.inflated_parts()) {
   if (options.carve_free_space) carver_.emplace(voxels_.frame(), options);
+  if (options.remember) mission_.emplace(voxel_size());
 }
 
 InsertStatistics ObstacleMap::insert(const Pose& sensor, const PointsView& hits,
@@ -80,6 +82,7 @@ InsertStatistics ObstacleMap::insert(const Pose& sensor, const PointsView& hits,
     if (carver_) return carver_->mark(voxel);
     if (voxels_.blocked(voxel)) return;
     voxels_.set(voxel);
+    if (mission_) mission_->set(voxel + voxels_.frame().first(), static_cast<float>(one_hit()));
     statistics.new_cells += occupy_cell_of(voxel);
   };
   CellFinder(voxels_.frame(), {origin, own.reach(), range})
@@ -96,32 +99,40 @@ InsertStatistics ObstacleMap::insert(const Pose& sensor, const PointsView& hits,
               mark(*voxel);
             } else {
               ++statistics.outside;
+              if (options_.keeps_hits_beyond()) remember_beyond(hit);
             }
           });
   statistics.invalid += count_invalid(misses);
   if (carver_) carve(origin, own, hits, misses, statistics);
-  if (statistics.new_cells > 0 || statistics.erased_cells > 0) ++version_;
+  version_ += std::exchange(changed_, false);
   totals_ += statistics;
   return statistics;
 }
 
 void ObstacleMap::carve(const Point& origin, const OwnReturns& own, const PointsView& hits,
                         const PointsView& misses, InsertStatistics& statistics) {
+  // Of the planning cells that lost a voxel.
   Cell erased_low(occupied_.frame().nx(), occupied_.frame().ny(), occupied_.frame().nz());
   Cell erased_high = Cell::Zero();
   carver_->insert(origin, own, hits, misses, voxels_, [&](const Cell& voxel, bool occupied) {
     if (occupied) {
       statistics.new_cells += occupy_cell_of(voxel);
-    } else if (const Cell cell = cell_of_voxel(voxel); !any_voxel_in(cell)) {
+      return;
+    }
+    const Cell cell = cell_of_voxel(voxel);
+    const bool freed = !any_voxel_in(cell);
+    if (freed) {
       occupied_.set(cell, false);
       ++statistics.erased_cells;
+    }
+    if (freed || !options_.inflate_whole_cells) {
       erased_low = erased_low.cwiseMin(cell);
       erased_high = erased_high.cwiseMax(Cell(cell.array() + 1));
     }
   });
-  if (statistics.erased_cells > 0) {
-    inflation_.repair(occupied_, erased_low - inflation_.reach(), erased_high + inflation_.reach(),
-                      blocked_);
+  if ((erased_low.array() < erased_high.array()).all()) {
+    repair({erased_low - inflation_.reach(), erased_high + inflation_.reach()});
+    changed_ = true;
   }
 }
 
@@ -138,11 +149,7 @@ Cell ObstacleMap::recentre(const Point& centre, const Leaving& leaving) {
   const Cell shift = occupied_.frame().shift_to_centre(centre);
   if (shift.isZero()) return shift;
   if (leaving) leaving(occupied_);
-  const Cell voxel_shift = scaled(shift, ratio_);
-  voxels_.roll(voxel_shift);  // first: it is the one that can throw
-  occupied_.roll(shift);
-  inflation_.roll(occupied_, shift, blocked_);
-  if (carver_) carver_->roll(voxel_shift);
+  roll(shift);
   return shift;
 }
 
@@ -152,11 +159,12 @@ void ObstacleMap::clear() {
   blocked_.clear();
   voxels_.clear();
   if (carver_) carver_->clear();
+  if (mission_) mission_->clear();
 }
 
 double ObstacleMap::log_odds_at(const Point& point) const {
   const Cell voxel = voxels_.frame().cell_of(point);
-  if (!voxels_.frame().contains(voxel)) return 0.0;
+  if (!voxels_.frame().contains(voxel)) return mission_ ? remembered_at(point) : 0.0;
   if (carver_) return carver_->log_odds(voxel);
   return voxels_.blocked(voxel) ? one_hit() : 0.0;
 }
@@ -183,10 +191,15 @@ bool ObstacleMap::any_voxel_in(const Cell& cell) const {
 
 bool ObstacleMap::occupy_cell_of(const Cell& voxel) {
   const Cell cell = cell_of_voxel(voxel);
-  if (occupied_.blocked(cell)) return false;
-  occupied_.set(cell);
-  inflation_.add(cell, blocked_);
-  return true;
+  const bool fresh = !occupied_.blocked(cell);
+  if (fresh) occupied_.set(cell);
+  if (options_.inflate_whole_cells) {
+    if (fresh) inflation_.add(cell, blocked_);
+    changed_ |= fresh;
+  } else {
+    changed_ |= inflation_.add(voxel, blocked_) || fresh;
+  }
+  return fresh;
 }
 
 }  // namespace ltp

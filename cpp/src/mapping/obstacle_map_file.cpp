@@ -15,43 +15,13 @@ namespace {
 /// A file states its resolution with six digits.
 constexpr double kResolutionTolerance = 1e-5;
 
-/// The voxels of the window in a leaf: [low, high), empty where the leaf lies outside.
-struct Box {
-  Cell low;
-  Cell high;
-};
-
-Box voxels_in(const OctreeLeaf& leaf, const GridFrame& frame, double resolution) {
-  const Point corner = leaf.centre - Point::Constant(0.5 * leaf.size);
-  Box box;
-  for (int axis = 0; axis < 3; ++axis) {
-    // In doubles until clipped: a file may reach far beyond the window.
-    const double low = std::round((corner[axis] - frame.origin()[axis]) / frame.cell()[axis]);
-    const double high = low + std::round(leaf.size / resolution);
-    box.low[axis] = static_cast<int>(std::clamp<double>(low, 0, frame.dims()[axis]));
-    box.high[axis] = static_cast<int>(std::clamp<double>(high, 0, frame.dims()[axis]));
-  }
-  return box;
-}
-
 }  // namespace
 
 void ObstacleMap::save(const std::string& path) const {
-  const GridFrame& frame = voxels_.frame();
-  OctreeLeaves octree;
-  octree.resolution = voxel_size();
-  for (int x = 0; x < frame.nx(); ++x) {
-    for (int y = 0; y < frame.ny(); ++y) {
-      for (int z = 0; z < frame.nz(); ++z) {
-        const Cell voxel(x, y, z);
-        double log_odds = voxels_.blocked(voxel) ? one_hit() : 0.0;
-        if (carver_) log_odds = carver_->log_odds(voxel);
-        if (log_odds != 0.0)
-          octree.leaves.push_back({frame.centre(voxel), octree.resolution, log_odds});
-      }
-    }
-  }
-  write_octree(path, octree);
+  if (mission_ && !carver_) return mission_->write(path);
+  MissionMap all = mission_ ? *mission_ : MissionMap(voxel_size());
+  note(all_of(occupied_.frame()), all);
+  all.write(path);
 }
 
 void ObstacleMap::load(const std::string& path) {
@@ -63,31 +33,27 @@ void ObstacleMap::load(const std::string& path) {
                 expected.str().c_str());
   }
   // From here on nothing throws.
-  bool changed = false;
-  for (const OctreeLeaf& leaf : octree.leaves) {
+  const CellBox window = all_of(occupied_.frame());
+  MissionMap only_window(voxel_size());
+  MissionMap& mission = mission_ ? *mission_ : only_window;
+  note(window, mission);
+  for (OctreeLeaf leaf : octree.leaves) {
     const bool occupied = leaf.occupied();
-    // OctoMap takes log-odds of 0 for occupied, carving for unknown.
-    const double log_odds = occupied && leaf.log_odds <= 0.0 ? one_hit() : leaf.log_odds;
     if (!occupied && !carver_) continue;
-    const Box box = voxels_in(leaf, voxels_.frame(), octree.resolution);
-    for (int x = box.low.x(); x < box.high.x(); ++x) {
-      for (int y = box.low.y(); y < box.high.y(); ++y) {
-        for (int z = box.low.z(); z < box.high.z(); ++z) {
-          const Cell voxel(x, y, z);
-          if (carver_) {
-            const double known = carver_->log_odds(voxel);
-            if (occupied) carver_->set_log_odds(voxel, std::max(known, log_odds));
-            if (!occupied && known == 0.0) carver_->set_log_odds(voxel, log_odds);
-          }
-          if (occupied && !voxels_.blocked(voxel)) {
-            voxels_.set(voxel);
-            changed |= occupy_cell_of(voxel);
-          }
-        }
-      }
+    // OctoMap takes log-odds of 0 for occupied, carving for unknown; without carving all that is
+    // occupied was hit once.
+    if (occupied && (!carver_ || leaf.log_odds <= 0.0)) leaf.log_odds = one_hit();
+    if (carver_) {
+      leaf.log_odds = std::clamp(leaf.log_odds, options_.min_log_odds, options_.max_log_odds);
     }
+    leaf.centre *= voxel_size() / octree.resolution;
+    leaf.size *= voxel_size() / octree.resolution;
+    mission.merge(leaf);
   }
-  if (changed) ++version_;
+  const std::int64_t before = occupied_.count() + blocked_.count();
+  restore(window, mission);
+  repair(window);
+  if (occupied_.count() + blocked_.count() != before) ++version_;
 }
 
 }  // namespace ltp

@@ -50,6 +50,7 @@ void ObstacleMapOptions::check() const {
     check::fail("dims", voxels, "at most 2^31 - 1 voxels in all");
   }
   check::not_negative("inflation_radius", inflation_radius);
+  check::not_negative("margin", margin);
   check::positive("max_range", max_range);
   check::not_negative("blind_distance", blind_distance);
   if (!(blind_distance < max_range)) {

@@ -19,7 +19,7 @@ ConcurrentTrajectoryPlanner::ConcurrentTrajectoryPlanner(std::unique_ptr<Planner
     : map_(map_options, position),
       position_(position),
       navigator_(std::move(planner), options, std::move(priority), map_.occupied().frame(),
-                 map_options.inflation_radius, position),
+                 map_options.clearance(), position),
       known_(map_.blocked()),
       snapshots_({0, 0, position, 0, 0, map_.occupied(), map_.blocked(), 0, Path(0, 3),
                   GateSizes(0, 2), 0, nullptr}),

@@ -6,13 +6,14 @@
 #include "ltp/planning/planners.hpp"
 
 namespace ltp {
+
 LocalTrajectoryPlanner::LocalTrajectoryPlanner(std::unique_ptr<Planner> planner,
                                                const ObstacleMapOptions& map_options,
                                                const NavigationOptions& options, Raster priority,
                                                const Point& position)
     : map_(map_options, position),
       navigator_(std::move(planner), options, std::move(priority), map_.occupied().frame(),
-                 map_options.inflation_radius, position) {}
+                 map_options.clearance(), position) {}
 
 LocalTrajectoryPlanner::LocalTrajectoryPlanner(const ObstacleMapOptions& map_options,
                                                const NavigationOptions& options, Raster priority,

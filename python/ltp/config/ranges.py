@@ -82,6 +82,7 @@ RANGES: Mapping[str, Range] = {
     "mapping.cell": Range(0.01, 100.0, "m"),
     "mapping.dims": Range(1, 10_000, "cells"),
     "mapping.inflation_radius": Range(0.0, 100.0, "m"),
+    "mapping.margin": Range(0.0, 100.0, "m"),
     "mapping.max_range": Range(0.1, 1e4, "m"),
     "mapping.blind_distance": Range(0.0, 1e3, "m"),
     "mapping.body_min": Range(-1e3, 1e3, "m"),
@@ -130,11 +131,14 @@ def check_window(mapping: Any) -> None:
             f"mapping.dims = {plain(mapping.dims)!r}: expected at most {_MOST_CELLS:,} cells in all"
         )
     smallest = float(min(mapping.cell))
-    if mapping.inflation_radius > _WIDEST * smallest:
-        raise ValueError(
-            f"mapping.inflation_radius = {mapping.inflation_radius!r}: expected at most {_WIDEST}"
-            f" cells of {smallest:g} m"
-        )
+    for name, radius in (
+        ("mapping.inflation_radius", mapping.inflation_radius),
+        ("mapping.inflation_radius + mapping.margin", mapping.inflation_radius + mapping.margin),
+    ):
+        if radius > _WIDEST * smallest:
+            raise ValueError(
+                f"{name} = {radius!r}: expected at most {_WIDEST} cells of {smallest:g} m"
+            )
 
 
 def numbers(holder: Any, prefix: str = "") -> Iterator[tuple[str, Any, list[Any]]]:

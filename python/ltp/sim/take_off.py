@@ -26,16 +26,18 @@ def check_take_off(world: World, config: MissionConfig, path: NDArray[np.float64
     if not math.isfinite(ground) or not _over(world, x, y):
         return
     height = float(config.mapping.cell[2])
-    radius = config.mapping.inflation_radius
+    radius = config.mapping.inflation_radius + config.mapping.margin
     # Levels are counted from the datum; inflation blocks every cell that comes within its radius.
-    blocked = math.floor((ground - _HIT_DEPTH) / height) + _reach(radius, height)
-    least = (blocked + 1) * height
+    whole = config.mapping.inflate_whole_cells
+    source = height if whole else float(min(config.mapping.cell))
+    top = math.floor((ground - _HIT_DEPTH) / source) + _reach(radius, source)
+    least = (math.floor(top * source / height + 1e-9) + 1) * height
     ceiling = max(altitude, float(path[1, 2])) + config.navigation.band[1]
     if altitude < least and ceiling < least:
         raise ValueError(
             f"global_path[0]: the start's altitude is {altitude:g} m, {altitude - ground:g} m "
             f"above the ground, in a cell that the ground blocks (cells {height:g} m high, "
-            f"inflation_radius = {radius:g} m): expected at least {least:g} m, "
+            f"inflation radius and margin {radius:g} m): expected at least {least:g} m, "
             f"{least - ground:g} m above the ground, or a smaller mapping.cell"
         )
 
@@ -46,5 +48,5 @@ def _over(world: World, x: float, y: float) -> bool:
 
 
 def _reach(radius: float, height: float) -> int:
-    """How many levels above an occupied one inflation blocks: those within the radius of it."""
+    """How many levels of `height` above an occupied one inflation blocks: those within reach."""
     return 0 if radius == 0.0 else 1 + math.floor(radius / height)

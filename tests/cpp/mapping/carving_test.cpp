@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "ltp/mapping/obstacle_map.hpp"
+#include "mapping/promises.hpp"
 
 namespace ltp {
 namespace {
@@ -130,7 +131,7 @@ void expect_equal(const ObstacleMap& map, const SlowCarver& slow) {
   }
   ASSERT_EQ(known, static_cast<std::int64_t>(slow.log_odds.size()));
   ASSERT_TRUE(map.occupied() == occupied);
-  ASSERT_TRUE(map.blocked() == inflate(occupied, map.options().inflation_radius));
+  ASSERT_TRUE(map.blocked() == test::to_be_blocked(map));
 }
 
 TEST(Carving, EqualsATableOfWorldVoxelsWhereverTheWindowRolls) {
@@ -140,7 +141,8 @@ TEST(Carving, EqualsATableOfWorldVoxelsWhereverTheWindowRolls) {
     const auto vector = [&](double x, double y, double z) {
       return Point(x * normal(random), y * normal(random), z * normal(random));
     };
-    const ObstacleMapOptions options = carving_map(keep_hits);
+    ObstacleMapOptions options = carving_map(keep_hits);
+    options.remember = false;
     Point centre(-311.0, 77.0, 40.0);
     ObstacleMap map(options, centre);
     SlowCarver slow{options, map.voxel_size(), {}};
@@ -320,7 +322,7 @@ TEST(Carving, StrangeRaysAreHarmless) {
       const InsertStatistics statistics = map.insert(origin, strange, strange);
       EXPECT_EQ(statistics.invalid, 4);
       EXPECT_EQ(statistics.marked + statistics.outside + statistics.out_of_range, 6);
-      EXPECT_TRUE(map.blocked() == inflate(map.occupied(), options.inflation_radius));
+      EXPECT_TRUE(map.blocked() == test::to_be_blocked(map));
     }
     EXPECT_TRUE(map.occupied().blocked_at(Point(2, 2, 2)));
     EXPECT_LT(map.log_odds_at(Point(0.1, -9, 0.1)), 0.0);

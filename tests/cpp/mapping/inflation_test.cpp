@@ -94,6 +94,83 @@ TEST(Inflation, EqualsTheDistanceBetweenEveryTwoBoxes) {
   EXPECT_EQ(compared, 8 * 9 * 3);
 }
 
+/// What the cells of parts are, if those parts are blocked that are within reach of one another.
+OccupancyGrid slow_inflation(const OccupancyGrid& sources, double radius, const GridFrame& frame,
+                             const std::array<int, 3>& parts) {
+  OccupancyGrid blocked(frame);
+  for (const Cell& part : cells_of(slow_inflation(sources, radius))) {
+    blocked.set(Cell(part.x() / parts[0], part.y() / parts[1], part.z() / parts[2]));
+  }
+  return blocked;
+}
+
+const std::array<int, 3> kParts[] = {{1, 1, 2}, {2, 3, 1}, {1, 2, 5}, {3, 1, 2}};
+
+GridFrame parts_of(const GridFrame& frame, const std::array<int, 3>& parts) {
+  std::array<int, 3> dims;
+  Point cell;
+  for (int axis = 0; axis < 3; ++axis) {
+    dims[axis] = frame.dims()[axis] * parts[axis];
+    cell[axis] = frame.cell()[axis] / parts[axis];
+  }
+  return GridFrame(frame.origin(), cell, dims);
+}
+
+TEST(Inflation, OfPartsEqualsTheDistanceBetweenEveryTwoBoxes) {
+  std::mt19937_64 random(12);
+  int compared = 0;
+  for (const std::array<int, 3>& dims :
+       {std::array<int, 3>{7, 6, 5}, {3, 4, 40}, {2, 3, 65}, {4, 1, 64}}) {
+    for (const std::array<int, 3>& parts : kParts) {
+      const GridFrame frame(Point(0, 0, 0), Point(6, 6, 10), dims);
+      const GridFrame fine = parts_of(frame, parts);
+      const double smallest = fine.cell().minCoeff();
+      for (const double edges : {0.0, 0.5, 1.0, 2.0, 2.7, 30.0}) {
+        const OccupancyGrid sources = random_grid(fine, 1 + compared % 4, random);
+        const double radius = edges * smallest;
+        const OccupancyGrid expected = slow_inflation(sources, radius, frame, parts);
+        ASSERT_TRUE(inflate(sources, radius, parts).words() == expected.words())
+            << "parts " << parts[0] << parts[1] << parts[2] << ", radius " << radius;
+        Inflation inflation(frame, radius, parts);
+        OccupancyGrid grown(frame);
+        for (const Cell& source : cells_of(sources)) {
+          const OccupancyGrid before = grown;
+          const bool added = inflation.add(source, grown);
+          ASSERT_EQ(added, !(before == grown));
+        }
+        ASSERT_TRUE(grown == expected) << "radius " << radius;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_EQ(compared, 4 * 4 * 6);
+}
+
+TEST(Inflation, OfASourceBeyondTheGridIsCutOffAtTheGrid) {
+  std::mt19937_64 random(13);
+  int compared = 0;
+  for (int round = 0; round < 60; ++round) {
+    const std::array<int, 3>& parts = kParts[round % 4];
+    const int levels = round % 3 == 0 ? 70 : 9;
+    const GridFrame wide(Point(0, 0, 0), Point(6, 6, 10), {15, 15, levels});
+    const GridFrame inner =
+        GridFrame(Point(0, 0, 0), Point(6, 6, 10), {7, 7, levels - 4}).shifted(Cell(4, 4, 2));
+    const double radius = 0.5 * static_cast<double>(random() % 50);
+    const OccupancyGrid sources = random_grid(parts_of(wide, parts), 3, random);
+    const OccupancyGrid all = slow_inflation(sources, radius, wide, parts);
+    Inflation inflation(inner, radius, parts);
+    OccupancyGrid blocked(inner);
+    const Cell first(4 * parts[0], 4 * parts[1], 2 * parts[2]);
+    for (const Cell& source : cells_of(sources)) inflation.add(source - first, blocked);
+    for (std::int64_t i = 0; i < inner.size(); ++i) {
+      const Cell cell = inner.cell_at(i);
+      ASSERT_EQ(blocked.blocked(cell), all.blocked(cell + Cell(4, 4, 2))) << "round " << round;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 10000);
+}
+
 TEST(Inflation, NoPointThatIsNearIsLeftFree) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -209,12 +286,44 @@ TEST(Inflation, RollsAsIfMadeAnew) {
   EXPECT_EQ(rolls, 4 * 9 * 60);
 }
 
+TEST(Inflation, OfPartsRollsAsIfMadeAnew) {
+  std::mt19937_64 random(14);
+  for (const std::array<int, 3>& parts : kParts) {
+    for (const int levels : {9, 66}) {
+      const GridFrame frame(Point(-7, 9, 2), Point(6, 6, 10), {14, 11, levels});
+      for (const double radius : {0.0, 1.0, 7.5}) {
+        Inflation inflation(frame, radius, parts);
+        OccupancyGrid sources(parts_of(frame, parts));
+        OccupancyGrid blocked(frame);
+        for (int step = 0; step < 40; ++step) {
+          for (int i = 0; i < 6; ++i) {
+            const Cell source = sources.frame().cell_at(
+                static_cast<std::int64_t>(random() % sources.frame().size()));
+            sources.set(source);
+            inflation.add(source, blocked);
+          }
+          const int most = step % 9 == 8 ? 15 : 2;
+          Cell shift;
+          for (int axis = 0; axis < 3; ++axis) {
+            shift[axis] = static_cast<int>(random() % (2 * most + 1)) - most;
+          }
+          sources.roll(shift.cwiseProduct(Cell(parts[0], parts[1], parts[2])));
+          inflation.roll(sources, shift, blocked);
+          ASSERT_TRUE(blocked.words() == inflate(sources, radius, parts).words());
+        }
+      }
+    }
+  }
+}
+
 TEST(Inflation, RefusesARadiusThatIsNone) {
   const OccupancyGrid grid(GridFrame(Point(0, 0, 0), Point(1, 1, 1), {2, 2, 2}));
   for (const double radius :
        {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW(inflate(grid, radius), std::invalid_argument) << radius;
   }
+  EXPECT_THROW(inflate(grid, 1.0, {1, 1, 3}), std::invalid_argument) << "no whole cells";
+  EXPECT_THROW(inflate(grid, 1.0, {0, 1, 1}), std::invalid_argument);
 }
 
 }  // namespace

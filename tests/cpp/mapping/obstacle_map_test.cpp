@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/promises.hpp"
+
 namespace ltp {
 namespace {
 
@@ -61,7 +63,7 @@ void expect_equal(const ObstacleMap& map, std::set<Key>& hit, const std::array<i
     ASSERT_TRUE(map.occupied().blocked_at(centre));
   }
   ASSERT_TRUE(map.occupied() == occupied);
-  ASSERT_TRUE(map.blocked() == inflate(occupied, map.options().inflation_radius));
+  ASSERT_TRUE(map.blocked() == test::to_be_blocked(map));
   const Point low = map.occupied().frame().origin() - frame.origin();
   ASSERT_LT(low.norm(), 1e-9);
 }
@@ -71,11 +73,13 @@ TEST(ObstacleMap, IsTheSetOfVoxelsThatWereHitAndNeverLeftTheWindow) {
     Point cell;
     std::array<int, 3> ratio;
     double radius;
+    double margin;
+    bool whole_cells;
   };
-  const Case cases[] = {{{2, 2, 4}, {1, 1, 2}, 1.0},
-                        {{2, 2, 2}, {1, 1, 1}, 0.0},
-                        {{0.9, 0.3, 0.6}, {3, 1, 2}, 1.0},
-                        {{2, 2, 4}, {1, 1, 2}, 5.0}};
+  const Case cases[] = {
+      {{2, 2, 4}, {1, 1, 2}, 0.75, 0.25, true},     {{2, 2, 4}, {1, 1, 2}, 1.0, 0.5, false},
+      {{2, 2, 2}, {1, 1, 1}, 0.0, 0.0, false},      {{0.9, 0.3, 0.6}, {3, 1, 2}, 1.0, 0.0, false},
+      {{0.9, 0.3, 0.6}, {3, 1, 2}, 1.0, 0.0, true}, {{2, 2, 4}, {1, 1, 2}, 3.0, 2.0, false}};
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
   int scans = 0;
@@ -83,6 +87,9 @@ TEST(ObstacleMap, IsTheSetOfVoxelsThatWereHitAndNeverLeftTheWindow) {
     ObstacleMapOptions options = small_map();
     options.cell = test.cell;
     options.inflation_radius = test.radius;
+    options.margin = test.margin;
+    options.inflate_whole_cells = test.whole_cells;
+    options.remember = false;
     options.max_range = 10.0 * test.cell.x();
     const double edge = test.cell.minCoeff();
     Point centre(1e3 * normal(random), 1e3 * normal(random), 50.0);
@@ -137,7 +144,7 @@ TEST(ObstacleMap, IsTheSetOfVoxelsThatWereHitAndNeverLeftTheWindow) {
     hit.clear();
     expect_equal(map, hit, test.ratio);
   }
-  EXPECT_EQ(scans, 240);
+  EXPECT_EQ(scans, 360);
 }
 
 TEST(ObstacleMap, AReturnAtTheMaximumRangeMarksNothing) {
@@ -230,6 +237,61 @@ TEST(ObstacleMap, CountsWhatChangesTheMeaningOfItsCells) {
   EXPECT_EQ(ObstacleMap(map).version(), 3);
 }
 
+TEST(ObstacleMap, AVehicleInAFreeCellTouchesNoVoxel) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::normal_distribution<double> normal;
+  const auto vector = [&] { return Point(normal(random), normal(random), normal(random)); };
+  for (const Point& cell : {Point(2, 2, 4), Point(1.5, 0.5, 1.0)}) {
+    ObstacleMapOptions options = small_map();
+    options.cell = cell;
+    for (const double radius : {0.3, 1.0, 2.5}) {
+      options.inflation_radius = 0.8 * radius;
+      options.margin = 0.2 * radius;
+      ObstacleMap map(options);
+      std::vector<Point> hits;
+      for (int i = 0; i < 30; ++i) hits.push_back(8.0 * vector());
+      map.insert(Point::Zero(), rows(hits));
+      int inside = 0;
+      for (int i = 0; i < 20000; ++i) {
+        const Cell voxel = map.voxels().frame().cell_of(hits[i % hits.size()]);
+        if (!map.voxels().frame().contains(voxel)) continue;
+        const Point within(unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5);
+        const Point place = map.voxels().frame().centre(voxel) + map.voxel_size() * within;
+        const Point vehicle = place + radius * unit(random) * vector().normalized();
+        if (!map.blocked().frame().contains(vehicle)) continue;
+        ++inside;
+        ASSERT_TRUE(map.blocked().blocked_at(vehicle));
+      }
+      EXPECT_GT(inside, 2000);
+    }
+  }
+}
+
+TEST(ObstacleMap, MeasuresFromTheVoxelNotFromItsCell) {
+  ObstacleMapOptions options = small_map();
+  const Eigen::RowVector3d hit(1, 1, 1);  // the lower voxel of a cell 4 m high
+  const ObstacleMap whole = [&] {
+    options.inflate_whole_cells = true;
+    ObstacleMap map(options);
+    map.insert(Point::Zero(), hit);
+    return map;
+  }();
+  options.inflate_whole_cells = false;
+  ObstacleMap map(options);
+  map.insert(Point::Zero(), hit);
+  EXPECT_EQ(whole.blocked().count(), 27);
+  EXPECT_EQ(map.blocked().count(), 18);
+  EXPECT_TRUE(whole.blocked().blocked_at(Point(1, 1, 5)));
+  EXPECT_FALSE(map.blocked().blocked_at(Point(1, 1, 5)));  // two metres above the voxel
+  EXPECT_TRUE(map.blocked().blocked_at(Point(1, 1, -1)));  // touches it
+  const std::int64_t before = map.version();
+  const InsertStatistics statistics = map.insert(Point::Zero(), Eigen::RowVector3d(1, 1, 3));
+  EXPECT_EQ(statistics.new_cells, 0) << "the upper voxel of the same cell";
+  EXPECT_EQ(map.blocked().count(), 27);
+  EXPECT_EQ(map.version(), before + 1) << "what is blocked has changed";
+}
+
 TEST(ObstacleMap, SensesByRecentringAndInserting) {
   ObstacleMap map(small_map()), expected(small_map());
   int left = 0;
@@ -290,6 +352,7 @@ TEST(ObstacleMapOptions, NamesTheFieldThatIsWrong) {
       {"dims", [](ObstacleMapOptions& o) { o.cell = Point(1e-300, 1, 1); }},
       {"inflation_radius", [](ObstacleMapOptions& o) { o.inflation_radius = -1; }},
       {"inflation_radius", [](ObstacleMapOptions& o) { o.inflation_radius = kInfinity; }},
+      {"margin", [](ObstacleMapOptions& o) { o.margin = -0.1; }},
       {"max_range", [](ObstacleMapOptions& o) { o.max_range = 0; }},
       {"max_range", [](ObstacleMapOptions& o) { o.max_range = kNan; }},
       {"hit_log_odds", [](ObstacleMapOptions& o) { o.hit_log_odds = -0.1; }},
@@ -357,12 +420,15 @@ TEST(ObstacleMap, SaysWhatItLoses) {
   ObstacleMap map(options);
   map.insert(Point(0, 0, 0), rows({{5, 5, 5}, {6, 0, 0}}));
   EXPECT_TRUE(map.totals().warnings(options).empty());
+  options.remember = false;
   map.insert(Point(0, 0, 0), rows({{40, 0, 0}, {0, 0, 25}, {0, 0, 0}}));
   const std::vector<std::string> sentences = map.totals().warnings(options);
   ASSERT_EQ(sentences.size(), 3u);
   EXPECT_EQ(sentences[0].find("1 of 5 hits lie at or beyond the map's max_range of 30 m"), 0u);
   EXPECT_NE(sentences[1].find("window of 40 m x 32 m x 40 m"), std::string::npos);
   EXPECT_NE(sentences[2].find("blind_distance of 1 m"), std::string::npos);
+  options.remember = true;
+  EXPECT_EQ(map.totals().warnings(options).size(), 2u) << "what lies beyond the window is kept";
 }
 
 TEST(ObstacleMap, RefusesToBeBlind) {

@@ -72,12 +72,12 @@ def test_inflation_is_the_distance_between_boxes(
     carve=st.booleans(),
     seed=st.integers(0, 2**32 - 1),
 )
-def test_cells_that_come_back_are_unknown(
+def test_cells_that_come_back_to_a_map_that_forgets_are_unknown(
     moves: list[tuple[int, int, int]], carve: bool, seed: int
 ) -> None:
     """Whatever way the window takes, the map is the set of voxels hit since they last entered."""
     rng = np.random.default_rng(seed)
-    obstacles = small_map(carve_free_space=carve)
+    obstacles = small_map(carve_free_space=carve, remember=False)
     centre = np.zeros(3)
     hit: set[tuple[int, ...]] = set()
     for move in moves:
@@ -102,7 +102,41 @@ def test_cells_that_come_back_are_unknown(
         assert {tuple(int(x) for x in voxel) for voxel in found} == hit
         pairs = obstacles.voxels.to_array().reshape(20, 16, 10, 2)
         np.testing.assert_array_equal(obstacles.occupied.to_array(), pairs.any(axis=3))
-        assert obstacles.blocked == inflate(obstacles.occupied, 1.0)
+        assert obstacles.blocked == inflate(obstacles.voxels, 1.0, (1, 1, 2))
+
+
+def test_what_was_seen_is_there_again(tmp_path: Path) -> None:
+    rng = np.random.default_rng(4)
+    obstacles = small_map(margin=0.5)
+    hits = rng.normal(scale=6.0, size=(100, 3))
+    obstacles.insert((0, 0, 0), hits)
+    voxels, blocked = obstacles.voxels.to_array(), obstacles.blocked.to_array()
+    obstacles.recentre((500, 0, 0))
+    assert obstacles.voxels.count() == 0
+    expected = {tuple(x) for x in np.floor(hits / 2) * 2 + 1}
+    assert {tuple(x) for x in obstacles.remembered()} == expected
+    assert obstacles.mission_bytes > 1000
+    obstacles.save(tmp_path / "mission.bt")
+    second = small_map(margin=0.5)
+    second.load(tmp_path / "mission.bt")
+    for back in (obstacles, second):
+        back.recentre((0, 0, 0))
+        np.testing.assert_array_equal(back.voxels.to_array(), voxels)
+        np.testing.assert_array_equal(back.blocked.to_array(), blocked)
+    obstacles.clear()
+    assert len(obstacles.remembered()) == obstacles.mission_bytes == 0
+
+
+def test_inflation_measures_from_parts_of_cells() -> None:
+    voxels = np.zeros((5, 5, 10), bool)
+    voxels[2, 2, 4] = True  # the lower half of the middle cell
+    grid = OccupancyGrid.from_array(voxels, GridFrame((0, 0, 0), (2, 2, 2), voxels.shape))
+    blocked = inflate(grid, 1.0, (1, 1, 2))
+    np.testing.assert_array_equal(blocked.frame.cell, [2, 2, 4])
+    assert blocked.count() == 18
+    assert not blocked.to_array()[:, :, 3].any()
+    with pytest.raises(ValueError, match=r"parts\.z"):
+        inflate(grid, 1.0, (1, 1, 3))
 
 
 def test_strange_points_are_counted_not_refused() -> None:
@@ -127,7 +161,7 @@ def test_strange_points_are_counted_not_refused() -> None:
     assert statistics.new_cells == 1
     assert statistics.erased_cells == 0
     assert obstacles.occupied.count() == 1
-    assert obstacles.blocked.count() == 27
+    assert obstacles.blocked.count() == 18  # no voxel touches the level above
     assert isinstance(statistics, InsertStatistics)
     assert "marked=2" in repr(statistics)
 
@@ -163,7 +197,7 @@ def test_a_body_box_turns_with_the_pose() -> None:
 
 
 def test_hits_beyond_range_and_window_are_told() -> None:
-    obstacles = small_map()
+    obstacles = small_map(remember=False)
     obstacles.insert((0, 0, 0), np.array([[45.0, 0, 0], [5, 5, 5], [0, 0, 25.0]]))
     sentences = obstacles.totals.warnings(obstacles.options)
     assert sentences == [
@@ -197,9 +231,9 @@ def test_views_follow_the_map_and_keep_it_alive() -> None:
     assert not columns.flags.writeable
     obstacles.insert((0, 0, 0), np.array([[5.0, 5.0, 5.0]]))
     del obstacles
-    assert blocked.count() == 27
+    assert blocked.count() == 18
     del blocked
-    assert sum(int(word).bit_count() for word in columns.ravel()) == 27
+    assert sum(int(word).bit_count() for word in columns.ravel()) == 18
 
 
 def test_wrong_arguments_are_named() -> None:
@@ -208,6 +242,7 @@ def test_wrong_arguments_are_named() -> None:
         ("cell", (0.0, 2.0, 4.0)),
         ("dims", (0, 10, 10)),
         ("inflation_radius", float("nan")),
+        ("margin", -0.1),
         ("max_range", -1.0),
         ("blind_distance", -0.1),
         ("blind_distance", float("nan")),
@@ -257,14 +292,15 @@ def test_options_are_read_and_written_by_name() -> None:
 def test_a_file_brings_back_what_the_map_knew(tmp_path: Path, suffix: str, carve: bool) -> None:
     rng = np.random.default_rng(11)
     centre = np.array([-40.0, 30.0, 20.0])
-    obstacles = small_map((-40, 30, 20), carve_free_space=carve)
+    # What lies beyond the window is not in the file of a map that forgets.
+    obstacles = small_map((-40, 30, 20), carve_free_space=carve, remember=False)
     for _ in range(5):
         obstacles.insert(centre, centre + rng.normal(scale=9.0, size=(40, 3)))
     file = tmp_path / f"map{suffix}"
     obstacles.save(file)
     assert [path.name for path in tmp_path.iterdir()] == [file.name]
 
-    again = small_map((-40, 30, 20), carve_free_space=carve)
+    again = small_map((-40, 30, 20), carve_free_space=carve, remember=False)
     again.load(str(file))
     for name in ("voxels", "occupied", "blocked"):
         assert getattr(again, name) == getattr(obstacles, name)

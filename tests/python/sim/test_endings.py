@@ -158,7 +158,7 @@ def test_only_a_hold_without_a_break_times_out(holds, outcome) -> None:
         (0.0, 0.5, 4.0),
         (0.0, 3.99, 4.0),
         (3.0, 6.0, 8.0),
-        (17.3, 19.0, 24.0),
+        (17.3, 19.0, 20.0),
         (-12.5, -10.0, -8.0),
         (20.0, 15.0, 24.0),  # below the ground
     ],

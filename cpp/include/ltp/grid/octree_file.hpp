@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The ltp authors
 // SPDX-License-Identifier: BSD-3-Clause
-// OctoMap's files: occupied and free voxels in and out. The one place that knows OctoMap.
+// OctoMap's files: occupied and free voxels in and out.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "ltp/geometry/types.hpp"
+#include "ltp/grid/octree.hpp"
 
 namespace ltp {
 
@@ -36,5 +37,7 @@ OctreeLeaves read_octree(const std::string& path);
 /// Throws `std::invalid_argument` that names the file for another extension or a leaf that OctoMap
 /// cannot hold, `std::runtime_error` that names the file if it cannot be written.
 void write_octree(const std::string& path, const OctreeLeaves& octree);
+/// The same of a whole tree.
+void write_octree(const std::string& path, const Octree& octree);
 
 }  // namespace ltp

@@ -17,7 +17,8 @@ struct InsertStatistics {
   std::int64_t marked = 0;    ///< hits that fell into the window
   std::int64_t too_near = 0;  ///< hits nearer than the blind distance: ignored
   std::int64_t in_body = 0;   ///< hits in the body box: ignored
-  std::int64_t outside = 0;   ///< hits beyond the window
+  /// Hits beyond the window: kept for when it comes there, if the map remembers and does not carve.
+  std::int64_t outside = 0;
   /// Hits at or beyond the map's maximum range: treated as misses. Many of them, and the sensor
   /// sees farther than the map was told.
   std::int64_t out_of_range = 0;

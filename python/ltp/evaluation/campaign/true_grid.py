@@ -23,27 +23,32 @@ def true_grid(
 ) -> "OccupancyGrid":
     """The cells of a mission's lattice that a perfect and complete sensor would block.
 
-    The cells are those that hold any of the world's solid, inflated as the mission's map is, over
-    the whole world and a free ring round it.
+    Blocked are the cells within the map's clearance of the voxels (or of the whole cells, if the
+    map inflates those) that hold any of the world's solid, over the whole world and a free ring
+    round it.
 
     Args:
         world: what stands where.
-        mapping: the mission's map options: edges of a cell, inflation radius. The lattice passes
-            through the world's origin, as the map's does.
+        mapping: the mission's map options: edges of a cell, what is inflated, and how far. The
+            lattice passes through the world's origin, as the map's does.
         heights: (lowest, highest) [m] that the grid holds too, where the world ends before.
     """
     from ltp._core import GridFrame, HeightSurface, inflate
 
     cell = np.array(mapping.cell, dtype=np.float64)
     x0, y0, x1, y1 = world.extent
-    reach = mapping.inflation_radius + cell * (1 + _RING)
+    clearance = mapping.inflation_radius + mapping.margin
+    reach = clearance + cell * (1 + _RING)
     bottom = min(float(world.ground.min()), heights[0])
     top = max(float(world.surface.max()), heights[1])
     first = np.floor((np.array([x0, y0, bottom]) - reach * (1.0, 1.0, 0.0)) / cell)
     last = np.ceil((np.array([x1, y1, top]) + reach) / cell)
-    frame = GridFrame(first * cell, cell, [int(n) for n in last - first])
+    source = cell if mapping.inflate_whole_cells else cell.min()
+    parts = [round(n) for n in np.broadcast_to(cell / source, 3)]
+    sources = [int(n) * k for n, k in zip(last - first, parts, strict=True)]
+    frame = GridFrame(first * cell, cell / parts, sources)
     occupied = HeightSurface(world.surface_raster()).occupancy(frame)
-    return inflate(occupied, mapping.inflation_radius)
+    return inflate(occupied, clearance, parts)
 
 
 def free_levels(grid: "OccupancyGrid", low: int, high: int) -> NDArray[np.bool_]:

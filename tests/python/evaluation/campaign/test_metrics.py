@@ -37,16 +37,17 @@ def random_world(seed: int) -> World:
 
 
 def reference_free(world: World, ring: int = 8) -> tuple[np.ndarray, np.ndarray]:
-    """Free 2 x 2 x 4 m cells, inflated by one cell, by loops over the world; and their origin."""
+    """Free 2 x 2 x 4 m cells, inflated by a voxel of 2 m, by loops over the world; their origin."""
     nx, ny = (n // 2 + 2 * ring for n in world.shape)
     nz = math.ceil(world.surface.max() / 4.0) + 4
-    solid = np.zeros((nx, ny, nz), dtype=bool)
+    solid = np.zeros((nx, ny, 2 * nz), dtype=bool)
     for i in range(world.shape[0] // 2):
         for j in range(world.shape[1] // 2):
             top = world.surface[2 * i : 2 * i + 2, 2 * j : 2 * j + 2].max()
-            for k in range(nz):
-                solid[i + ring, j + ring, k] = 4.0 * k < top
-    blocked = ndimage.binary_dilation(solid, np.ones((3, 3, 3)))  # 1 m reaches each neighbour
+            for k in range(2 * nz):
+                solid[i + ring, j + ring, k] = 2.0 * k < top
+    voxels = ndimage.binary_dilation(solid, np.ones((3, 3, 3)))  # 1 m reaches each neighbour
+    blocked = voxels.reshape(nx, ny, nz, 2).any(axis=3)
     return ~blocked, np.array([-2.0 * ring, -2.0 * ring, 0.0])
 
 
