@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`ltp fly`: one mission, its record, a figure and a recording."""
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -17,7 +18,12 @@ from .spread import spread
 from .waypoints import read_waypoints
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ltp.config import MissionConfig
     from ltp.sim.record import FlightRecord
+    from ltp.world import World
 
 
 def register(app: typer.Typer) -> None:
@@ -45,6 +51,13 @@ def fly(
         typer.Option(help="Free the paths from the grid's directions."),
     ] = None,
     config: Config = None,
+    preset: Annotated[
+        str | None,
+        typer.Option(
+            help="Cells and window of the map: `paper` (2 x 2 x 4 m), `low` (1 m) or `landing` "
+            "(0.5 m, 60 m wide)."
+        ),
+    ] = None,
     waypoints: Annotated[
         Path | None,
         typer.Option(
@@ -78,6 +91,9 @@ def fly(
 
     place = open_world(world)
     settings = open_config(config)
+    if preset is not None:
+        with naming("preset"):
+            settings.use_preset(preset)
     of_planner = settings.planner_options
     _set_given(settings, planner=planner, priority_map=priority_map)
     _set_given(of_planner, refine=refine)
@@ -111,6 +127,7 @@ def fly(
         )
     record.save(out / "flight.npz")
     _report(record)
+    _tell_finer_preset(place, settings, path)
     tell("record", out / "flight.npz")
     draw_summary(place, [record], sensed, out / "flight.png")
     tell("figure", out / "flight.png")
@@ -125,6 +142,24 @@ def _set_given(holder: object, **settings: object) -> None:
     for name, value in settings.items():
         if value is not None:
             setattr(holder, name, value)
+
+
+def _tell_finer_preset(
+    world: "World", settings: "MissionConfig", path: "NDArray[np.float64]"
+) -> None:
+    """Say so where the path comes too near to the ground for the map's cells."""
+    from ltp.config import finer_preset
+
+    ground = world.ground_raster()
+    heights = [float(z) - float(ground.at(float(x), float(y))) for x, y, z in path]
+    least = min((height for height in heights if math.isfinite(height)), default=math.inf)
+    cell_height = float(settings.mapping.cell[2])
+    finer = finer_preset(least, cell_height)
+    if finer is not None:
+        note(
+            f"the path comes within {least:.0f} m of the ground, and cells are {cell_height:g} m "
+            f"high: --preset {finer} keeps more of the free air"
+        )
 
 
 def _report(record: "FlightRecord") -> None:

@@ -4,5 +4,6 @@
 
 from ltp.config.guidance import GuidanceOptions
 from ltp.config.mission import MissionConfig, VehicleOptions
+from ltp.config.presets import PRESETS, finer_preset
 
-__all__ = ["GuidanceOptions", "MissionConfig", "VehicleOptions"]
+__all__ = ["PRESETS", "GuidanceOptions", "MissionConfig", "VehicleOptions", "finer_preset"]

@@ -23,6 +23,7 @@ from ltp._core import (
 )
 from ltp.config.guidance import GuidanceOptions
 from ltp.config.moved import MOVED, warn_of, with_new_names
+from ltp.config.presets import preset
 from ltp.config.ranges import GATE, check_ranges, check_window
 from ltp.config.tables import assign, differences, field_names, plain, read_toml, toml_lines
 from ltp.files import atomic_write
@@ -140,6 +141,16 @@ class MissionConfig:
         assign(config, values)
         config.check()
         return config
+
+    @classmethod
+    def preset(cls, name: str) -> Self:
+        """The defaults, but for the map of a preset: `paper`, `low` or `landing`."""
+        return cls.from_dict(dict(preset(name)))
+
+    def use_preset(self, name: str) -> None:
+        """Take the map of a preset; all else keeps its values."""
+        assign(self, dict(preset(name)))
+        self.check()
 
     def to_toml(self) -> str:
         """All settings as a TOML document, each with its unit and what it means."""

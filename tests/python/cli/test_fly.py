@@ -174,3 +174,15 @@ def test_a_start_too_low_is_a_mistake_that_names_the_least_altitude(
     said = fail("fly", world, "--waypoints", waypoints, "--no-recording", "--out", tmp_path)
     assert "start's altitude is 2 m" in said
     assert "at least 4 m" in said
+
+
+def test_a_low_flight_is_told_of_finer_cells(world: str, tmp_path: Path) -> None:
+    low = [*SHORT, "--altitude", "10", "--out", tmp_path / "out"]
+    said = run("fly", world, *low).output.replace("\n", " ")
+    assert "cells are 4 m high: --preset low" in said
+    record = FlightRecord.load(tmp_path / "out" / "flight.npz")
+    run("fly", world, *low, "--preset", "low")
+    fine = FlightRecord.load(tmp_path / "out" / "flight.npz")
+    assert record.config.mapping.cell[2] == 4.0
+    assert fine.config.mapping.cell[2] == 1.0
+    assert "--preset = 'high'" in fail("fly", world, *SHORT, "--preset", "high")
