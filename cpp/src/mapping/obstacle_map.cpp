@@ -137,24 +137,23 @@ void ObstacleMap::carve(const Point& origin, const OwnReturns& own, const Points
 }
 
 InsertStatistics ObstacleMap::sense(const Pose& sensor, const PointsView& hits,
-                                    const PointsView& misses, const Leaving& leaving) {
+                                    const PointsView& misses) {
   check_sensor(sensor);
-  recentre(sensor.position, leaving);
+  recentre(sensor.position);
   return insert(sensor, hits, misses);
 }
 
-Cell ObstacleMap::recentre(const Point& centre, const Leaving& leaving) {
+Cell ObstacleMap::recentre(const Point& centre) {
   check::finite("centre", centre);
   voxels_.frame().shift_to_centre(centre);  // throws where voxel coordinates would overflow
   const Cell shift = occupied_.frame().shift_to_centre(centre);
   if (shift.isZero()) return shift;
-  if (leaving) leaving(occupied_);
   roll(shift);
   return shift;
 }
 
 void ObstacleMap::clear() {
-  if (occupied_.count() > 0) ++version_;
+  if (occupied_.count() + blocked_.count() > 0) ++version_;
   occupied_.clear();
   blocked_.clear();
   voxels_.clear();

@@ -4,9 +4,10 @@
 
 import typer
 
-from .inputs import open_config
-from .options import Config, InsteadOfPrinting
+from .options import InsteadOfPrinting
 from .output import tell
+from .settings import Settings
+from .spread import spread
 
 
 def register(app: typer.Typer) -> None:
@@ -14,11 +15,12 @@ def register(app: typer.Typer) -> None:
     app.command("config")(config)
 
 
-def config(start: Config = None, out: InsteadOfPrinting = None) -> None:
+@spread
+def config(*, settings: Settings, out: InsteadOfPrinting = None) -> None:
     """Print every mission setting as TOML, ready to be changed."""
-    settings = open_config(start)
+    chosen = settings.open()
     if out is None:
-        print(settings.to_toml(), end="")
+        print(chosen.to_toml(), end="")
         return
-    settings.save(out)
+    chosen.save(out)
     tell("settings", out)

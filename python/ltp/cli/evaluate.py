@@ -12,7 +12,6 @@ from .global_paths import GlobalPaths
 from .inputs import (
     map_names,
     numbers,
-    open_config,
     open_priority,
     open_world,
     planner_names,
@@ -20,8 +19,9 @@ from .inputs import (
     workers,
 )
 from .naming import naming
-from .options import Config, PriorityFile, PriorityMaps, Processes, ResumedFolder, WorldArgument
+from .options import PriorityFile, PriorityMaps, Processes, ResumedFolder, WorldArgument
 from .output import console, resumable, say, tell
+from .settings import Settings
 from .spread import spread
 
 if TYPE_CHECKING:
@@ -70,7 +70,7 @@ def evaluate(
     records: Annotated[
         bool, typer.Option("--records", help="Keep each flight's record too, for replays.")
     ] = False,
-    config: Config = None,
+    settings: Settings,
 ) -> None:
     """Fly planners, weights and maps over many paths; print tables.
 
@@ -83,7 +83,7 @@ def evaluate(
     from .progress import CampaignProgress
 
     variants = _variants(rows, planners, ratios, maps, refine)
-    base = open_config(config)
+    base = settings.open()
     place = open_world(world)
     scenarios = global_paths.over(place, paths)
     crossing = sum(scenario.crosses_building for scenario in scenarios)

@@ -12,11 +12,12 @@ from .app import make_group
 from .campaign_figures import curve, sweep
 from .gap_figures import front, gap
 from .global_paths import GlobalPaths
-from .inputs import numbers, open_config, open_world, planner_names, telling_old_names
+from .inputs import numbers, open_world, planner_names, telling_old_names
 from .naming import naming
-from .options import Config, PictureFile, Planner, PriorityMap, ScenarioIndex, WorldArgument
+from .options import PictureFile, Planner, PriorityMap, ScenarioIndex, WorldArgument
 from .output import console, write_figure
 from .regret_figure import regret
+from .settings import Settings
 from .spread import spread
 
 if TYPE_CHECKING:
@@ -42,7 +43,7 @@ def paths(
     priority_map: PriorityMap = "lpf",
     scenario: ScenarioIndex = 0,
     global_paths: GlobalPaths,
-    config: Config = None,
+    settings: Settings,
     out: PictureFile = Path("out/paths.png"),
 ) -> None:
     """Fly one global path under several weights and draw it.
@@ -54,7 +55,7 @@ def paths(
     from ltp.evaluation.figures.flights import flown_paths_figure
     from ltp.sim.mission import Mission
 
-    place, base = open_world(world), open_config(config)
+    place, base = open_world(world), settings.open()
     with naming("planner", ratio="--ratios", priority_map="--map"):
         variants = [at_ratio(r, planner, priority_map) for r in numbers("--ratios", ratios)]
     path = global_paths.one(place, scenario)
@@ -72,14 +73,14 @@ def scenarios(
     world: WorldArgument = "city",
     count: Annotated[int, typer.Option("--paths", help="Number of global paths.")] = 50,
     global_paths: GlobalPaths,
-    config: Config = None,
+    settings: Settings,
     out: PictureFile = Path("out/scenarios.png"),
 ) -> None:
     """Draw the global paths over the surface and both priority maps."""
     from ltp.evaluation.figures.flights import global_paths_figure
     from ltp.sim import MissionSetup
 
-    place, base = open_world(world), open_config(config)
+    place, base = open_world(world), settings.open()
     drawn = global_paths.over(place, count)
     binary, lowpass = (
         MissionSetup.of(
@@ -97,7 +98,7 @@ def sensing(
     planner: Planner = "lp-dijkstra",
     scenario: ScenarioIndex = 0,
     global_paths: GlobalPaths,
-    config: Config = None,
+    settings: Settings,
     out: PictureFile = Path("out/sensing.png"),
 ) -> None:
     """Draw a slice of the map in flight: volume and surface sensing."""
@@ -106,12 +107,12 @@ def sensing(
     from ltp.sim import fly
 
     place = open_world(world)
-    settings = _with_planner(open_config(config), planner, "--planner")
+    config = _with_planner(settings.open(), planner, "--planner")
     path = global_paths.one(place, scenario)
     taker = SnapshotTaker()
     with console().status("flying"):
-        fly(place, settings, path, [taker])
-    write_figure(sensing_figure(place, taker.snapshots, settings.lidar.max_range), out)
+        fly(place, config, path, [taker])
+    write_figure(sensing_figure(place, taker.snapshots, config.lidar.max_range), out)
 
 
 def traps(out: PictureFile = Path("out/traps.png")) -> None:
@@ -135,7 +136,7 @@ def summary(
     ] = "lp-dijkstra,lp-a-star,wlp-a-star,ggwp",
     scenario: ScenarioIndex = 0,
     global_paths: GlobalPaths,
-    config: Config = None,
+    settings: Settings,
     out: PictureFile = Path("out/summary.png"),
 ) -> None:
     """Fly one global path with several planners and draw them."""
@@ -143,7 +144,7 @@ def summary(
     from ltp.evaluation.sensed import SensedTrace
     from ltp.sim import fly
 
-    place, base = open_world(world), open_config(config)
+    place, base = open_world(world), settings.open()
     wanted = [
         _with_planner(base, name, "--planners") for name in planner_names("--planners", planners)
     ]
@@ -151,9 +152,9 @@ def summary(
         raise ValueError(f"--planners must name one planner or more, not {planners!r}")
     path = global_paths.one(place, scenario)
     records, sensed = [], SensedTrace()
-    for settings in wanted:
-        with console().status(f"flying {settings.planner}"):
-            records.append(fly(place, settings, path, [sensed]))
+    for config in wanted:
+        with console().status(f"flying {config.planner}"):
+            records.append(fly(place, config, path, [sensed]))
     write_figure(summary_figure(place, records, sensed), out)
 
 

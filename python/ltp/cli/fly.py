@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from .global_paths import GlobalPaths
-from .inputs import open_config, open_priority, open_world, telling_old_names
+from .inputs import open_priority, open_world, telling_old_names
 from .naming import naming
-from .options import Config, PriorityFile, ScenarioIndex, WorldArgument
+from .options import PriorityFile, ScenarioIndex, WorldArgument
 from .output import note, say, tell, tell_recording
 from .recorded_flight import draw_summary, fly_recorded
+from .settings import Settings
 from .spread import spread
 from .waypoints import read_waypoints
 
@@ -50,14 +51,7 @@ def fly(
         bool | None,
         typer.Option(help="Free the paths from the grid's directions."),
     ] = None,
-    config: Config = None,
-    preset: Annotated[
-        str | None,
-        typer.Option(
-            help="Cells and window of the map: `paper` (2 x 2 x 4 m), `low` (1 m) or `landing` "
-            "(0.5 m, 60 m wide)."
-        ),
-    ] = None,
+    chosen: Settings,
     waypoints: Annotated[
         Path | None,
         typer.Option(
@@ -82,18 +76,15 @@ def fly(
 ) -> None:
     """Fly one mission; write its record, a figure and a recording.
 
-    Settings come from --config; the options named here win over it. The global path is one of the
-    seeded ones, unless --waypoints gives another.
+    Settings come from --config, those of the map from --preset; the options named here win over
+    both. The global path is one of the seeded ones, unless --waypoints gives another.
 
     Exits with 1 after a collision, a time-out, or a flight that reached no waypoint.
     """
     from ltp.world.off_world import refuse_off_world
 
     place = open_world(world)
-    settings = open_config(config)
-    if preset is not None:
-        with naming("preset"):
-            settings.use_preset(preset)
+    settings = chosen.open()
     of_planner = settings.planner_options
     _set_given(settings, planner=planner, priority_map=priority_map)
     _set_given(of_planner, refine=refine)

@@ -11,10 +11,11 @@ import typer
 from .gap_queries import queries_file, recorded_queries
 from .gap_report import print_gaps
 from .global_paths import GlobalPaths
-from .inputs import names, numbers, open_config, open_world, planner_name, planner_names
+from .inputs import names, numbers, open_world, planner_name, planner_names
 from .naming import naming
-from .options import Config, Memory, PriorityMaps, ResumedFolder, WorldArgument
+from .options import Memory, PriorityMaps, ResumedFolder, WorldArgument
 from .output import console, resumable, tell, write_text
+from .settings import Settings
 from .spread import spread
 
 if TYPE_CHECKING:
@@ -68,7 +69,7 @@ def gap(
         typer.Option(help="Number of expansions that the reference planner may make; 0: no limit."),
     ] = 0,
     global_paths: GlobalPaths,
-    config: Config = None,
+    settings: Settings,
     out: ResumedFolder = Path("out/gap"),
 ) -> None:
     """Measure every planner's gap to the exact optimum.
@@ -99,8 +100,8 @@ def gap(
             memory=memory,
             **chosen,
         )
-    place, settings = open_world(world), open_config(config)
-    recorded = recorded_queries(place, global_paths, paths, settings, queries, out)
+    place = open_world(world)
+    recorded = recorded_queries(place, global_paths, paths, settings.open(), queries, out)
     with resumable(out, "planned"):
         rows = run_gap(recorded, options, out, [GapProgress(console())])
     _write_tables(rows, out)

@@ -13,7 +13,6 @@ from .output import note
 
 if TYPE_CHECKING:
     from ltp._core import Raster
-    from ltp.config import MissionConfig
     from ltp.evaluation.campaign.rows import FlightRow
     from ltp.world import World
 
@@ -32,16 +31,6 @@ def open_world(source: str) -> "World":
     if not Path(source).is_file():
         raise ValueError(f"{source}: no such world file (the built-in world is called `city`)")
     return World.load(source)
-
-
-def open_config(path: Path | None) -> "MissionConfig":
-    """The settings in a file, or the defaults; old names in the file are told on stderr."""
-    from ltp.config import MissionConfig
-
-    if path is None:
-        return MissionConfig()
-    with telling_old_names(path):
-        return MissionConfig.load(path)
 
 
 def open_priority(path: Path | None, world: "World") -> "Raster | None":

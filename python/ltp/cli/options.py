@@ -27,10 +27,6 @@ FlightsArgument = Annotated[
     Path, typer.Argument(help="A campaign's folder, or the flights.csv in it.")
 ]
 
-Config = Annotated[
-    Path | None,
-    typer.Option("--config", help="TOML file with mission settings; `ltp config` prints them all."),
-]
 Processes = Annotated[
     int, typer.Option(help="Number of processes to fly in; 0 is one per processor.")
 ]

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from .global_paths import GlobalPaths
-from .inputs import names, numbers, open_config, open_priority, open_world, planner_names, workers
+from .inputs import names, numbers, open_priority, open_world, planner_names, workers
 from .naming import naming
-from .options import Config, PriorityFile, PriorityMaps, Processes, ResumedFolder, WorldArgument
+from .options import PriorityFile, PriorityMaps, Processes, ResumedFolder, WorldArgument
 from .output import console, narrow_table, remark, resumable, say, tell, write_text
+from .settings import Settings
 from .spread import spread
 
 if TYPE_CHECKING:
@@ -54,7 +55,7 @@ def regret(
         ),
     ] = None,
     processes: Processes = 0,
-    config: Config = None,
+    settings: Settings,
     out: ResumedFolder = Path("out/regret"),
 ) -> None:
     """Measure what not knowing the obstacles costs.
@@ -74,7 +75,7 @@ def regret(
     with naming("gate"):
         check_gate(gate)
     variants = _variants(planners, ratios, maps)
-    base = open_config(config)
+    base = settings.open()
     place = open_world(world)
     given = open_priority(priority, place)
     scenarios = global_paths.over(place, paths)

@@ -21,6 +21,15 @@ def test_settings_are_printed_as_toml_that_reads_back(tmp_path: Path) -> None:
     assert 'planner = "ggwp"' in succeed("config", "--config", file)
 
 
+def test_a_preset_goes_over_a_file(tmp_path: Path) -> None:
+    file = tmp_path / "mine.toml"
+    file.write_text('planner = "ggwp"\nmapping = { cell = [4.0, 4.0, 4.0], margin = 0.5 }\n')
+    config = MissionConfig.from_toml(succeed("config", "--config", file, "--preset", "low"))
+    assert config.planner == "ggwp"
+    assert list(config.mapping.cell) == [1.0, 1.0, 1.0]
+    assert config.mapping.margin == 0.5
+
+
 def test_old_settings_are_read_told_of_and_printed_anew(tmp_path: Path) -> None:
     file = tmp_path / "old.toml"
     file.write_text("length_weight = 0.25\n[bezier]\noffsets = 21\n")

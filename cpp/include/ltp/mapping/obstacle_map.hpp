@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -63,9 +62,6 @@ class ObstacleMap {
   /// The sum over all scans since the map was made.
   const InsertStatistics& totals() const { return totals_; }
 
-  /// Is given the occupied planning cells before the window leaves some of them behind.
-  using Leaving = std::function<void(const OccupancyGrid& occupied)>;
-
   /// Adds a scan: where its rays began, where they hit something, and where those without a return
   /// stopped being seen; world frame [m]. The sensor's attitude only turns the body box. Strange
   /// points never throw: they are counted. `misses` only matter with carving. Throws only for an
@@ -80,13 +76,11 @@ class ObstacleMap {
   /// Moves the window so that it is centred on a point; cells that enter are as they were when they
   /// left, or unknown, and those of a map that forgets always unknown. Returns the shift in
   /// planning cells. Throws for a point that is not finite or absurdly far.
-  Cell recentre(const Point& centre, const Leaving& leaving = nullptr);
+  Cell recentre(const Point& centre);
   /// Recentres on the origin of a scan, then inserts it.
-  InsertStatistics sense(const Pose& sensor, const PointsView& hits, const PointsView& misses,
-                         const Leaving& leaving = nullptr);
-  InsertStatistics sense(const Point& origin, const PointsView& hits, const PointsView& misses,
-                         const Leaving& leaving = nullptr) {
-    return sense(Pose{origin}, hits, misses, leaving);
+  InsertStatistics sense(const Pose& sensor, const PointsView& hits, const PointsView& misses);
+  InsertStatistics sense(const Point& origin, const PointsView& hits, const PointsView& misses) {
+    return sense(Pose{origin}, hits, misses);
   }
   /// Forgets everything, the mission too.
   void clear();
