@@ -1979,7 +1979,8 @@ class LocalTrajectoryPlanner:
         """
     def load_map(self, path: os.PathLike | str | bytes) -> None:
         """
-        Adds what a `.bt` or `.ot` file knows about the window, as ObstacleMap.load does; the next update plans on it.
+        Adds what a `.bt` or `.ot` file knows, as ObstacleMap.load does: of an earlier mission, say. The next update plans
+        on it, beyond the window too (unless the map's `remember` is off).
         """
     def sense(self, origin: Pose | typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"], hits: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"], misses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 3]"] | None = None) -> InsertStatistics:
         """

@@ -230,8 +230,9 @@ void bind_local(py::module_& m) {
       .def(
           "load_map", [](Ltp& self, const FilePath& path) { self.load_map(path.string()); },
           "path"_a, py::call_guard<py::gil_scoped_release>(),
-          "Adds what a `.bt` or `.ot` file knows about the window, as ObstacleMap.load does; the "
-          "next update plans on it.")
+          "Adds what a `.bt` or `.ot` file knows, as ObstacleMap.load does: of an earlier mission, "
+          "say. The next update plans\n"
+          "on it, beyond the window too (unless the map's `remember` is off).")
       .def("clear_map", &Ltp::clear_map,
            "Forgets all obstacles, those beyond the window too; the next update plans on it.")
       .def("update", &update, "position"_a, "Decides what to do at a position (3,) [m].")

@@ -32,8 +32,6 @@ int rounded_down(int source, int parts) {
   return source >= 0 ? source / parts : -((-source - 1) / parts) - 1;
 }
 
-Cell dims_of(const GridFrame& frame) { return Cell(frame.nx(), frame.ny(), frame.nz()); }
-
 }  // namespace
 
 Inflation::Inflation(const GridFrame& frame, double radius, const std::array<int, 3>& parts)

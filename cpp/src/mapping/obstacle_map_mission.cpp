@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "ltp/grid/lattice.hpp"
 #include "ltp/mapping/obstacle_map.hpp"
 
 namespace ltp {
@@ -19,6 +20,11 @@ Cell scaled(const Cell& cells, const std::array<int, 3>& ratio) {
 
 int rounded_down(int number, int by) {
   return number >= 0 ? number / by : -((-number - 1) / by) - 1;
+}
+
+Cell rounded_down(const Cell& voxel, const std::array<int, 3>& ratio) {
+  return Cell(rounded_down(voxel.x(), ratio[0]), rounded_down(voxel.y(), ratio[1]),
+              rounded_down(voxel.z(), ratio[2]));
 }
 
 template <typename Visitor>
@@ -55,9 +61,7 @@ void ObstacleMap::remember_beyond(const Point& hit) {
 }
 
 Cell ObstacleMap::source_of(const Cell& voxel) const {
-  if (!options_.inflate_whole_cells) return voxel;
-  return Cell(rounded_down(voxel.x(), ratio_[0]), rounded_down(voxel.y(), ratio_[1]),
-              rounded_down(voxel.z(), ratio_[2]));
+  return options_.inflate_whole_cells ? rounded_down(voxel, ratio_) : voxel;
 }
 
 void ObstacleMap::note(const CellBox& cells, MissionMap& mission) const {
@@ -87,6 +91,32 @@ void ObstacleMap::restore(const CellBox& cells, const MissionMap& mission) {
                        occupied_.set(cell_of_voxel(voxel));
                      });
                    });
+}
+
+std::optional<OccupancyGrid> ObstacleMap::blocked_everywhere(int most) const {
+  if (!mission_) return std::nullopt;
+  const Cell farthest = Cell::Constant(static_cast<int>(kFarthestCell));
+  Cell low = farthest;
+  Cell high = -farthest;
+  mission_->for_each(-farthest, farthest, true, [&](const Cell& from, const Cell& to, float) {
+    low = low.cwiseMin(from);
+    high = high.cwiseMax(to);
+  });
+  if ((low.array() >= high.array()).any()) return std::nullopt;
+  const Cell begin = rounded_down(low, ratio_) - inflation_.reach();
+  const Cell end = rounded_down(high - Cell::Ones(), ratio_) + Cell::Ones() + inflation_.reach();
+  if (((end - begin).array() > most).any()) return std::nullopt;
+  const std::array<int, 3> parts = options_.inflated_parts();
+  const GridFrame& lattice = inflated().frame();
+  OccupancyGrid sources(
+      on_lattice_of(lattice, scaled(begin, parts), scaled(Cell(end - begin), parts)));
+  const Cell first = voxels_.frame().first();
+  mission_->for_each(low, high, true, [&](const Cell& from, const Cell& to, float) {
+    for_each_cell(from, to, [&](const Cell& voxel) {
+      sources.set(source_of(voxel - first) + lattice.first() - sources.frame().first());
+    });
+  });
+  return inflate(sources, inflation_.radius(), parts);
 }
 
 void ObstacleMap::repair(const CellBox& cells) {

@@ -21,7 +21,7 @@ ConcurrentTrajectoryPlanner::ConcurrentTrajectoryPlanner(std::unique_ptr<Planner
       navigator_(std::move(planner), options, std::move(priority), map_.occupied().frame(),
                  map_options.clearance(), position),
       known_(map_.blocked()),
-      snapshots_({0, 0, position, 0, 0, map_.occupied(), map_.blocked(), 0, Path(0, 3),
+      snapshots_({0, 0, position, 0, 0, nullptr, map_.occupied(), map_.blocked(), 0, Path(0, 3),
                   GateSizes(0, 2), 0, nullptr}),
       decisions_({}) {}
 
@@ -71,12 +71,16 @@ InsertStatistics ConcurrentTrajectoryPlanner::sense(const Pose& sensor, const Po
 void ConcurrentTrajectoryPlanner::load_map(const std::string& path) {
   pass_on_failure();
   map_.load(path);
+  if (auto blocked = map_.blocked_everywhere(ObstacleMemory::kMostCells)) {
+    loaded_ = std::make_shared<const OccupancyGrid>(*std::move(blocked));
+  }
   hand_over();
 }
 
 void ConcurrentTrajectoryPlanner::clear_map() {
   pass_on_failure();
   map_.clear();
+  loaded_.reset();
   ++clearings_;
   hand_over();
 }
@@ -94,6 +98,7 @@ void ConcurrentTrajectoryPlanner::hand_over() {
   snapshot.position = position_;
   snapshot.version = map_.version();
   snapshot.clearings = clearings_;
+  snapshot.loaded = loaded_;
   snapshot.occupied = map_.occupied();
   snapshot.blocked = map_.blocked();
   if (snapshot.route != route_) {
@@ -151,6 +156,9 @@ void ConcurrentTrajectoryPlanner::take_over(Snapshot& seen) {
     navigator_.forget();
   } else if (seen.blocked.frame() != known_.frame()) {
     navigator_.remember(known_);
+  }
+  if (std::exchange(known_loaded_, seen.loaded) != seen.loaded && seen.loaded) {
+    navigator_.remember_everywhere(*seen.loaded);
   }
   std::swap(known_, seen.blocked);  // the slot's next value overwrites all of it
   if (std::exchange(known_route_, seen.route) != seen.route) {

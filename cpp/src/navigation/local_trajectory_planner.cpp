@@ -33,6 +33,12 @@ void LocalTrajectoryPlanner::remember_before(const Point& position) {
   if (leaves) navigator_.remember(map_.blocked());
 }
 
+void LocalTrajectoryPlanner::load_map(const std::string& path) {
+  map_.load(path);
+  const auto blocked = map_.blocked_everywhere(ObstacleMemory::kMostCells);
+  if (blocked) navigator_.remember_everywhere(*blocked);
+}
+
 void LocalTrajectoryPlanner::clear_map() {
   map_.clear();
   navigator_.forget();

@@ -9,8 +9,8 @@
 
 #include "ltp/geometry/check.hpp"
 #include "ltp/grid/bits.hpp"
+#include "ltp/grid/lattice.hpp"
 #include "ltp/planning/grid_planner.hpp"
-#include "navigation/lattice.hpp"
 #include "planning/search/flood.hpp"
 
 namespace ltp {
@@ -116,6 +116,13 @@ void ObstacleMemory::remember(const OccupancyGrid& blocked) {
       }
     }
   }
+}
+
+void ObstacleMemory::add(const OccupancyGrid& blocked) {
+  const GridFrame& frame = blocked.frame();
+  if (!hold(frame.first(), frame.first() + dims_of(frame))) return;
+  copy(blocked, blocked_);
+  ++version_;
 }
 
 bool ObstacleMemory::make_room(const Point& low, const Point& high) {

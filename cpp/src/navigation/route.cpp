@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ltp/geometry/polyline.hpp"
-#include "navigation/lattice.hpp"
+#include "ltp/grid/lattice.hpp"
 
 namespace ltp {
 namespace {

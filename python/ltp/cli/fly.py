@@ -32,6 +32,13 @@ def register(app: typer.Typer) -> None:
     app.command("fly")(fly)
 
 
+def _octree(path: Path | None) -> Path | None:
+    """Refuse what no map is written to before anything is flown for it."""
+    if path is not None and path.suffix not in (".bt", ".ot"):
+        raise ValueError(f"--save-map must end in .bt or .ot, not {str(path)!r}")
+    return path
+
+
 @spread
 def fly(
     *,
@@ -63,6 +70,20 @@ def fly(
     old_waypoints: Annotated[
         Path | None,
         typer.Option("--way-points", hidden=True, help="Old name of --waypoints."),
+    ] = None,
+    known_map: Annotated[
+        Path | None,
+        typer.Option(
+            help="OctoMap file (.bt or .ot) of what was seen before, to begin with: of --save-map, "
+            "say, in voxels of the same size."
+        ),
+    ] = None,
+    save_map: Annotated[
+        Path | None,
+        typer.Option(
+            help="File to write with all obstacles seen: .bt, or .ot with log-odds.",
+            callback=_octree,
+        ),
     ] = None,
     scenario: ScenarioIndex = 0,
     global_paths: GlobalPaths,
@@ -114,12 +135,22 @@ def fly(
     out.mkdir(parents=True, exist_ok=True)
     with naming(global_path=path_name):
         record, sensed, recorded = fly_recorded(
-            place, settings, path, out / "flight.rrd", recording, settings.planner, own_priority
+            place,
+            settings,
+            path,
+            out / "flight.rrd",
+            recording,
+            settings.planner,
+            own_priority,
+            known_map,
+            save_map,
         )
     record.save(out / "flight.npz")
     _report(record)
     _tell_finer_preset(place, settings, path)
     tell("record", out / "flight.npz")
+    if save_map is not None:
+        tell("map", save_map)
     draw_summary(place, [record], sensed, out / "flight.png")
     tell("figure", out / "flight.png")
     if recorded is not None:

@@ -44,15 +44,19 @@ def fly_recorded(
     wanted: bool | None,
     title: str,
     priority: "Raster | None" = None,
+    known_map: Path | None = None,
+    save_map: Path | None = None,
 ) -> tuple["FlightRecord", Any, Path | None]:
     """Fly with progress, gather what was sensed, and record for the viewer if wanted.
+
+    The flight may begin with the map of an earlier one, and leave its own.
 
     Returns:
         The record, the sensed cells, and the recording's path if one was written.
     """
     from ltp.evaluation.sensed import SensedTrace
     from ltp.installed import pip_install
-    from ltp.sim import fly as fly_mission
+    from ltp.sim import Mission
     from ltp.viewer.rerun_module import has_rerun
 
     from .progress import FlightProgress
@@ -70,7 +74,10 @@ def fly_recorded(
             from ltp.viewer import FlightRecording
 
             observers.append(stack.enter_context(FlightRecording(recording)))
-        record = fly_mission(world, config, global_path, observers, priority)
+        mission = Mission(world, config, global_path, observers, priority, known_map=known_map)
+        record = mission.fly()
+        if save_map is not None:
+            mission.planner.map.save(save_map)
     for sentence in losses.sentences:
         note(f"map: {sentence}")
     if not recorded and wanted is None:

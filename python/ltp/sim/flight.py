@@ -4,6 +4,7 @@
 
 import math
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
@@ -54,11 +55,12 @@ class Flight:
         planner: its waypoints are replaced by the flight's; by default a `LocalTrajectoryPlanner`.
         vehicle: at the start; by default a `PointMass`.
         guidance: by default a `PathFollower`.
-        priority: as for `fly`.
+        priority, known_map: as for `fly`.
         observers: told of every step, in order.
 
     Raises:
-        ValueError: for a configuration, a start or sensors that cannot be flown; it is named.
+        ValueError: for a configuration, a map, a start or sensors that cannot be flown; it is
+            named.
     """
 
     setup: MissionSetup
@@ -81,9 +83,13 @@ class Flight:
         vehicle: Vehicle | None = None,
         guidance: Guidance | None = None,
         priority: Raster | None = None,
+        known_map: Path | str | None = None,
         observers: Sequence[Observer] = (),
     ) -> None:
+        if known_map is not None and planner is not None:
+            raise ValueError("known_map: expected None where a planner is given: load_map it there")
         self.setup = self._set_up(world, config, start, priority)
+        self._known_map = known_map
         self.observers = observers
         self.sensors = (MountedLidar(config.lidar),) if sensors is None else tuple(sensors)
         self._begin(planner, vehicle, guidance)
@@ -98,7 +104,7 @@ class Flight:
         setup, config = self.setup, self.setup.config
         check_sensors(self.sensors, config)
         start = setup.global_path[0]
-        self.planner = default_planner(setup) if planner is None else planner
+        self.planner = default_planner(setup, self._known_map) if planner is None else planner
         self.vehicle = PointMass(start, config.vehicle) if vehicle is None else vehicle
         self.guidance = default_guidance(config) if guidance is None else guidance
         check_at(start, self.vehicle)
@@ -258,7 +264,7 @@ class Flight:
         vehicle: Vehicle | None = None,
         guidance: Guidance | None = None,
     ) -> None:
-        """Begin another flight as this one began: start and first waypoints; nothing is known.
+        """Begin another flight as this one began: start and first waypoints, and `known_map`.
 
         Parts of your own remember the flight: `ValueError`, unless new ones are given.
         """

@@ -3,6 +3,7 @@
 """`Mission`: a flight with a global path, flown until it is used up; `fly`."""
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 from numpy.typing import ArrayLike
@@ -29,9 +30,16 @@ class Mission(Flight):
         priority: Raster | None = None,
         *,
         sensors: Sequence[Sensor] | None = None,
+        known_map: Path | str | None = None,
     ) -> None:
         super().__init__(
-            world, config, global_path, sensors=sensors, priority=priority, observers=observers
+            world,
+            config,
+            global_path,
+            sensors=sensors,
+            priority=priority,
+            known_map=known_map,
+            observers=observers,
         )
 
     def _set_up(self, *arguments: Any) -> MissionSetup:
@@ -54,6 +62,8 @@ def fly(
     global_path: ArrayLike,
     observers: Sequence[Observer] = (),
     priority: Raster | None = None,
+    *,
+    known_map: Path | str | None = None,
 ) -> FlightRecord:
     """Fly a mission over a world.
 
@@ -67,12 +77,14 @@ def fly(
         priority: a priority map in [0, 1] to fly with instead of that of the world and the
             configuration; `priority_map` "lpf" averages it over the camera's footprint.
             Over a bare surface the priority is 0 unless one is given.
+        known_map: an OctoMap file, `.bt` or `.ot`, of what was seen before, in world coordinates
+            and voxels of the map's size: begin with that. `ObstacleMap.save` writes one.
 
     Returns:
         The record of the flight; the same for the same arguments, but for wall times.
 
     Raises:
-        ValueError: for a configuration or a global path that cannot be flown; it is named. So is
-            the least altitude that works, for a start too low above the ground.
+        ValueError: for a configuration, a map or a global path that cannot be flown; it is named.
+            So is the least altitude that works, for a start too low above the ground.
     """
-    return Mission(world, config, global_path, observers, priority).fly()
+    return Mission(world, config, global_path, observers, priority, known_map=known_map).fly()

@@ -119,10 +119,12 @@ class Guidance(Protocol):
         """The velocity (3,) to fly now [m/s]; occupied: the cells with a hit in them."""
 
 
-def default_planner(setup: MissionSetup) -> LocalTrajectoryPlanner:
-    """The planner of a configuration, without waypoints."""
+def default_planner(
+    setup: MissionSetup, known_map: Path | str | None = None
+) -> LocalTrajectoryPlanner:
+    """The planner of a configuration, without waypoints; it knows a map in a file, if any."""
     config = setup.config
-    return LocalTrajectoryPlanner(
+    planner = LocalTrajectoryPlanner(
         setup.priority,
         setup.global_path[0],
         planner=config.planner,
@@ -130,6 +132,9 @@ def default_planner(setup: MissionSetup) -> LocalTrajectoryPlanner:
         map_options=config.mapping,
         options=config.navigation,
     )
+    if known_map is not None:
+        planner.load_map(known_map)
+    return planner
 
 
 def planner_after(

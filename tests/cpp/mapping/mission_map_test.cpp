@@ -58,6 +58,17 @@ void expect_part(const ObstacleMap& map, const ObstacleMap& all) {
   }
 }
 
+/// What is blocked in a window is blocked in the grid of all, and what is not, is not.
+void expect_part_of(const OccupancyGrid& part, const OccupancyGrid& all) {
+  const Cell offset = part.frame().first() - all.frame().first();
+  for (std::int64_t i = 0; i < part.frame().size(); ++i) {
+    const Cell cell = part.frame().cell_at(i);
+    const Cell there = cell + offset;
+    const bool blocked = all.frame().contains(there) && all.blocked(there);
+    ASSERT_EQ(part.blocked(cell), blocked) << cell.transpose();
+  }
+}
+
 struct Case {
   Point cell;
   double radius;
@@ -217,6 +228,8 @@ TEST(MissionMap, ASecondMissionBeginsWithWhatTheFirstOneSaw) {
       first.save(folder + name);
       ObstacleMap second(options);
       second.load(folder + name);
+      const OccupancyGrid everywhere = second.blocked_everywhere(1000).value();
+      EXPECT_FALSE(second.blocked_everywhere(100).has_value()) << "it is longer";
       std::int64_t seen = 0;
       for (const Point& place : places) {
         first.recentre(place);
@@ -224,6 +237,7 @@ TEST(MissionMap, ASecondMissionBeginsWithWhatTheFirstOneSaw) {
         ASSERT_TRUE(second.voxels() == first.voxels());
         ASSERT_TRUE(second.occupied() == first.occupied());
         ASSERT_TRUE(second.blocked() == first.blocked()) << "carving " << carve;
+        expect_part_of(second.blocked(), everywhere);
         seen += second.voxels().count();
         if (std::string(name) != "ltp_mission.ot") continue;
         for (std::int64_t i = 0; i < first.voxels().frame().size(); i += 11) {
@@ -235,6 +249,15 @@ TEST(MissionMap, ASecondMissionBeginsWithWhatTheFirstOneSaw) {
       std::filesystem::remove(folder + name);
     }
   }
+}
+
+TEST(MissionMap, NothingIsBlockedAnywhereWhereNothingIsKept) {
+  ObstacleMapOptions options = small_map(Point(2, 2, 4));
+  EXPECT_FALSE(ObstacleMap(options).blocked_everywhere(1000).has_value());
+  options.remember = false;
+  ObstacleMap forgets(options);
+  forgets.insert(Point::Zero(), Eigen::RowVector3d(5, 5, 5));
+  EXPECT_FALSE(forgets.blocked_everywhere(1000).has_value());
 }
 
 TEST(MissionMap, WhatAFileHoldsNextToTheWindowReachesIn) {

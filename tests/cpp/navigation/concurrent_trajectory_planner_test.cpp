@@ -321,6 +321,33 @@ TEST(ConcurrentTrajectoryPlanner, AClearedOrLoadedMapWakesAHoldingUavBetweenItsS
   EXPECT_TRUE(ltp.wait(0.0)) << "nothing was handed over";
 }
 
+TEST(ConcurrentTrajectoryPlanner, ReckonsWithAnEarlierMissionUntilThatIsCleared) {
+  const std::string path = testing::TempDir() + "ltp_far_box.bt";
+  Path box(4 * 21, 3);  // round a waypoint far beyond the window of 120 m
+  for (int i = 0; i < 21; ++i) {
+    const double along = i - 10.0;
+    box.row(4 * i) = Eigen::RowVector3d(390, 60 + along, 30);
+    box.row(4 * i + 1) = Eigen::RowVector3d(410, 60 + along, 30);
+    box.row(4 * i + 2) = Eigen::RowVector3d(400 + along, 50, 30);
+    box.row(4 * i + 3) = Eigen::RowVector3d(400 + along, 70, 30);
+  }
+  ObstacleMapOptions options = small_map();
+  ObstacleMap earlier(options, {400, 60, 30});
+  earlier.insert({400, 60, 30}, box);
+  earlier.save(path);
+  Path goal(1, 3);
+  goal << 400, 60, 30;
+  for (const bool cleared : {false, true}) {
+    ConcurrentTrajectoryPlanner ltp = make_concurrent("auto", no_priority());
+    ltp.set_waypoints(goal);
+    ltp.load_map(path);
+    if (cleared) ltp.clear_map();
+    ASSERT_TRUE(ltp.plan());
+    EXPECT_EQ(ltp.decision().status,
+              cleared ? NavigationStatus::Following : NavigationStatus::Finished);
+  }
+}
+
 TEST(ConcurrentTrajectoryPlanner, ProvesNothingFromWhatWasCleared) {
   Path walls(1600, 3);  // of a block of 100 m, for a window of 80 m
   for (int i = 0; i < 400; ++i) {

@@ -404,6 +404,31 @@ TEST(LocalTrajectoryPlanner, ProvesFromWhatWasLoaded) {
   EXPECT_EQ(ltp.events()[0].reason, PlanStatus::Unreachable);
 }
 
+TEST(LocalTrajectoryPlanner, ReckonsWithAnEarlierMissionBeyondItsWindow) {
+  const std::string path = testing::TempDir() + "ltp_far_block.bt";
+  ObstacleMapOptions whole = small_map();
+  whole.max_range = 400.0;
+  ObstacleMap earlier(whole, at(300, 0));
+  earlier.insert(at(300, 0), points(box(at(300, 0), 20.0)));
+  earlier.save(path);
+
+  for (const bool remember : {true, false}) {
+    ObstacleMapOptions options = small_map();
+    options.remember = remember;
+    LocalTrajectoryPlanner ltp(make_planner(), options, {}, no_priority(), at(0, 0));
+    ltp.set_waypoints(points({at(300, 0)}));
+    ltp.load_map(path);
+    const NavigationStatus status = ltp.update(at(0, 0));
+    if (!remember) {
+      EXPECT_EQ(status, NavigationStatus::Following) << "it has seen nothing of the block";
+      continue;
+    }
+    EXPECT_EQ(status, NavigationStatus::Finished);
+    ASSERT_EQ(ltp.events().size(), 1u);
+    EXPECT_EQ(ltp.events()[0].reason, PlanStatus::Unreachable);
+  }
+}
+
 /// A UAV that holds in a closed courtyard, and the waypoint outside.
 LocalTrajectoryPlanner walled_in() {
   LocalTrajectoryPlanner ltp = make(at(0, 0));

@@ -176,6 +176,19 @@ def test_a_start_too_low_is_a_mistake_that_names_the_least_altitude(
     assert "at least 4 m" in said
 
 
+def test_a_flight_leaves_a_map_and_another_begins_with_it(world: str, tmp_path: Path) -> None:
+    short = [*SHORT, "--out", tmp_path / "out"]
+    said = succeed("fly", world, *short, "--save-map", tmp_path / "seen.ot")
+    assert "seen.ot" in said
+    record = FlightRecord.load(tmp_path / "out" / "flight.npz")
+    succeed("fly", world, *short, "--known-map", tmp_path / "seen.ot")
+    again = FlightRecord.load(tmp_path / "out" / "flight.npz")
+    assert len(again.plans) < len(record.plans)
+    said = fail("fly", world, *short, "--known-map", tmp_path / "seen.ot", "--preset", "low")
+    assert "resolution = 2" in said
+    assert "--save-map must end in .bt or .ot" in fail("fly", world, "--save-map", "seen.txt")
+
+
 def test_a_low_flight_is_told_of_finer_cells(world: str, tmp_path: Path) -> None:
     low = [*SHORT, "--altitude", "10", "--out", tmp_path / "out"]
     said = run("fly", world, *low).output.replace("\n", " ")

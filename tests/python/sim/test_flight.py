@@ -9,7 +9,7 @@ import pytest
 
 import ltp
 from ltp._core import NavigationReason, NavigationStatus
-from ltp.sim import Flight, MissionSetup, Outcome
+from ltp.sim import Flight, Mission, MissionSetup, Outcome
 from tests.python.sim.towers import START, TOWER, config, make_world, path
 
 
@@ -82,6 +82,22 @@ class Watcher:
 
     def on_end(self, record: ltp.FlightRecord) -> None:
         self.told.append(record)
+
+
+def test_a_second_flight_begins_with_the_map_of_the_first(tmp_path) -> None:
+    across = path((50, 70), (100, 70))
+    first = Mission(make_world(TOWER), config(), across)
+    seen = first.fly()
+    first.planner.map.save(tmp_path / "seen.bt")
+    second = Mission(make_world(TOWER), config(), across, known_map=tmp_path / "seen.bt")
+    for flown in (second.fly(), second.fly()):
+        assert (seen.outcome, flown.outcome) == (Outcome.REACHED, Outcome.REACHED)
+        assert len(flown.plans) == 1 < len(seen.plans)
+        assert flown.length <= seen.length
+    with pytest.raises(ValueError, match=r"none\.bt"):
+        ltp.fly(make_world(), config(), across, known_map=tmp_path / "none.bt")
+    with pytest.raises(ValueError, match="known_map"):
+        Flight(make_world(), config(), START, planner=first.planner, known_map="seen.bt")
 
 
 def test_observers_are_told_of_steps_and_of_the_end_once() -> None:

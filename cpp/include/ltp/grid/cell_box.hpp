@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "ltp/grid/frame.hpp"
+#include "ltp/grid/lattice.hpp"
 
 namespace ltp {
 
@@ -18,9 +18,7 @@ struct CellBox {
 };
 
 /// All cells of a window.
-inline CellBox all_of(const GridFrame& frame) {
-  return {Cell::Zero(), Cell(frame.nx(), frame.ny(), frame.nz())};
-}
+inline CellBox all_of(const GridFrame& frame) { return {Cell::Zero(), dims_of(frame)}; }
 
 /// The cells that enter a window along one axis when it rolls by `shift`, in its new coordinates;
 /// those that leave it are, in its old ones, those that enter it when it rolls back.

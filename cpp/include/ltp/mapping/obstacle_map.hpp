@@ -59,6 +59,9 @@ class ObstacleMap {
   /// The voxels of the mission, in the window and beyond; nothing for a map that forgets. With
   /// carving it learns about those in the window when they leave it.
   const std::optional<MissionMap>& mission() const { return mission_; }
+  /// The inflation of all that the mission holds in one grid on the window's lattice, as small as
+  /// can be; nothing if it holds nothing or that is longer than `most` cells along an axis.
+  std::optional<OccupancyGrid> blocked_everywhere(int most) const;
   /// The sum over all scans since the map was made.
   const InsertStatistics& totals() const { return totals_; }
 

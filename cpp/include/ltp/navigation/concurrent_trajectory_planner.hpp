@@ -104,6 +104,7 @@ class ConcurrentTrajectoryPlanner {
 
  private:
   using SharedRaster = std::shared_ptr<const Raster>;  ///< null: that of the constructor
+  using SharedGrid = std::shared_ptr<const OccupancyGrid>;
 
   struct Snapshot {
     std::int64_t number;
@@ -111,6 +112,7 @@ class ConcurrentTrajectoryPlanner {
     Point position;
     std::int64_t version;    ///< of the map
     std::int64_t clearings;  ///< of the map
+    SharedGrid loaded;       ///< what was blocked anywhere when a map was loaded last
     OccupancyGrid occupied;
     OccupancyGrid blocked;
     std::int64_t route;  ///< number of the waypoints
@@ -132,6 +134,7 @@ class ConcurrentTrajectoryPlanner {
   std::int64_t scan_ = 0;
   std::int64_t handed_over_ = 0;  ///< number of the newest snapshot
   std::int64_t clearings_ = 0;    ///< of the map
+  SharedGrid loaded_;             ///< see `Snapshot`
   Point position_;                ///< of the last scan [m]
   Path waypoints_ = Path(0, 3);
   GateSizes gates_ = GateSizes(0, 2);
@@ -150,6 +153,7 @@ class ConcurrentTrajectoryPlanner {
   std::int64_t known_route_ = 0;
   std::int64_t known_priority_ = 0;
   std::int64_t known_clearings_ = 0;
+  SharedGrid known_loaded_;
 
   TripleBuffer<Snapshot> snapshots_;
   TripleBuffer<Decision> decisions_;

@@ -43,8 +43,9 @@ class LocalTrajectoryPlanner {
     return sense(Pose{origin}, hits, misses);
   }
 
-  /// Adds what a file knows about the window, as `ObstacleMap::load` does and throws.
-  void load_map(const std::string& path) { map_.load(path); }
+  /// Adds what a file knows, as `ObstacleMap::load` does and throws. Unless the map forgets, ways
+  /// and proofs reckon with what lies beyond the window, too.
+  void load_map(const std::string& path);
   /// Forgets all obstacles, those beyond the window too: no proof rests on them any more.
   void clear_map();
 

@@ -124,6 +124,8 @@ class Navigator {
 
   /// Keeps what a window has blocked; to be told before the map forgets it.
   void remember(const OccupancyGrid& blocked) { memory_.remember(blocked); }
+  /// The same for what an earlier mission has blocked anywhere, on the window's lattice.
+  void remember_everywhere(const OccupancyGrid& blocked) { memory_.add(blocked); }
   /// Forgets what was kept, with a map that was cleared: no proof rests on obstacles that are gone.
   void forget() { memory_.clear(); }
   const ObstacleMemory& memory() const { return memory_; }

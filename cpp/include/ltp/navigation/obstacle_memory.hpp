@@ -39,6 +39,10 @@ class ObstacleMemory {
   /// room for it.
   void remember(const OccupancyGrid& blocked);
 
+  /// Takes over what is blocked anywhere, by a grid on the same lattice: of an earlier mission. If
+  /// there is no room for all of it, none is.
+  void add(const OccupancyGrid& blocked);
+
   /// Grows, in large steps, until a ring of free cells lies round the box of two points [m], too.
   /// False, and nothing happens, if that is more than `kMostCells`.
   bool make_room(const Point& low, const Point& high);
