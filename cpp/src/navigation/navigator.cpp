@@ -11,14 +11,11 @@
 #include "ltp/geometry/norm.hpp"
 #include "ltp/geometry/polyline.hpp"
 #include "ltp/planning/grid_planner.hpp"
+#include "navigation/escape.hpp"
 #include "navigation/route.hpp"
 
 namespace ltp {
 namespace {
-
-/// Plans in a row, on one map, that may leave the way to a waypoint as long as it was: a UAV that
-/// is blown about. After that it follows the shortest way itself.
-constexpr int kStalls = 3;
 
 double horizontal_diagonal(const GridFrame& frame) { return frame.cell().head<2>().norm(); }
 
@@ -56,38 +53,6 @@ bool same_cell(const GridFrame& frame, const Point& a, const Point& b) {
 }
 
 }  // namespace
-
-void NavigationOptions::check() const {
-  if (!(band.below >= 0.0)) check::fail("band.below", band.below, "a number >= 0");
-  if (!(band.above >= 0.0)) check::fail("band.above", band.above, "a number >= 0");
-  check::not_negative("reach_distance", reach_distance);
-  check::not_negative("leave_distance", leave_distance);
-  check::not_negative("gate_radius", gate_radius);
-  check::not_negative("gate_height", gate_height);
-  check::at_least("horizon", horizon, 1);
-  check::positive("escape_distance", escape_distance);
-  check::not_negative("max_detour", max_detour);
-  Budget{max_expansions, time_limit}.check();
-}
-
-bool hit_on_escape(const OccupancyGrid& occupied, const PathRef& path, double from,
-                   const Point& position) {
-  return occupied.first_blocked(path, from, occupied.frame().cell_of(position)).has_value();
-}
-
-std::string_view to_string(NavigationStatus status) {
-  switch (status) {
-    case NavigationStatus::Finished:
-      return "finished";
-    case NavigationStatus::Following:
-      return "following";
-    case NavigationStatus::Escaping:
-      return "escaping";
-    case NavigationStatus::Holding:
-      return "holding";
-  }
-  return "unknown";
-}
 
 Navigator::Navigator(std::unique_ptr<Planner> planner, const NavigationOptions& options,
                      Raster priority, const GridFrame& window, double inflation_radius,
@@ -135,7 +100,7 @@ void Navigator::set_priority(Raster priority) {
 NavigationStatus Navigator::update(const MapView& map, const Point& position,
                                    const std::function<bool()>& interrupted) {
   check::finite("position", position);
-  flown_ += (position - last_position_).norm();
+  way_progress_.fly((position - last_position_).norm());
   take_reached(map, position);
   if (finished()) {
     finish();
@@ -150,9 +115,7 @@ NavigationStatus Navigator::update(const MapView& map, const Point& position,
 void Navigator::begin_leg() {
   give_up_path();
   altitudes_.reset();
-  first_length_.reset();
-  flown_ = 0.0;
-  measured_on_ = kNoVersion;
+  way_progress_ = {};
 }
 
 /// Notes the end of a waypoint, reached unless there is a reason, and turns to the next one.
@@ -309,7 +272,7 @@ NavigationReason Navigator::set_out(const Point& position,
   stopover_ = false;
   if (!frame.contains(query.goal)) return take_route(query, nullptr, interrupted);
   const Plan& plan = ask(query, interrupted);
-  const bool matters = options_.max_detour > 0.0 || measured_on_ == memory_.version() ||
+  const bool matters = options_.max_detour > 0.0 || way_progress_.measured_on(memory_.version()) ||
                        plan.status != PlanStatus::Found ||
                        to_first_gate(plan) > out_and_back(frame, query);
   if (matters) return take_route(query, &plan, interrupted);
@@ -330,8 +293,11 @@ NavigationReason Navigator::take_route(const Query& query, const Plan* inside,
     return hold(status == PlanStatus::OutOfBudget ? NavigationReason::OutOfBudget
                                                   : NavigationReason::NoPath);
   }
-  if (is_too_far()) return NavigationReason::TooFar;
-  const bool stalled = is_stalled();
+  const double left = route_->length();
+  if (options_.max_detour > 0.0 && way_progress_.detour(left) > options_.max_detour) {
+    return NavigationReason::TooFar;
+  }
+  const bool stalled = way_progress_.stalls(left, memory_.version(), frame.cell().minCoeff());
   const bool stays = inside != nullptr && route_->stays_in(frame);
   const bool found = inside != nullptr && inside->status == PlanStatus::Found;
   if (!stalled && found && (stays || to_first_gate(*inside) <= route_->length())) {
@@ -393,30 +359,10 @@ Point Navigator::towards(const Query& query) {
   return query.start;
 }
 
-/// Whether the way has grown no shorter, several times in a row, though nothing new was seen.
-bool Navigator::is_stalled() {
-  const double left = route_->length();
-  const bool same_map = measured_on_ == memory_.version();
-  const double least = known_.frame().cell().minCoeff();
-  if (!same_map || left < least_left_ - least) {
-    measured_on_ = memory_.version();
-    least_left_ = left;
-    stalls_ = 0;
-  } else {
-    ++stalls_;
-  }
-  return stalls_ > kStalls;
-}
-
-bool Navigator::is_too_far() {
-  if (options_.max_detour == 0.0) return false;
-  const double whole = flown_ + route_->length();
-  if (!first_length_) first_length_ = whole;
-  return whole - *first_length_ > options_.max_detour;
-}
-
 void Navigator::escape(const MapView& map, const Point& position) {
-  const std::optional<Point> out = escape_point(map, position);
+  const Query query = query_to(position, waypoint(next_));
+  const std::optional<Point> out =
+      escape_point(map.occupied, map.blocked, query, options_.escape_distance);
   if (!out) {
     const Point beneath = position - Point(0.0, 0.0, map.blocked.frame().cell().z());
     const bool low = map.occupied.blocked_at(position) || map.occupied.blocked_at(beneath);
@@ -426,39 +372,6 @@ void Navigator::escape(const MapView& map, const Point& position) {
   Path path(2, 3);
   path << position.transpose(), out->transpose();
   follow(NavigationStatus::Escaping, path);
-}
-
-/// The vertex of the nearest free cell to which the straight way touches nothing that was hit.
-std::optional<Point> Navigator::escape_point(const MapView& map, const Point& position) {
-  const OccupancyGrid& blocked = map.blocked;
-  const GridFrame& frame = blocked.frame();
-  const Cell own = frame.cell_of(position);
-  const Query query = query_to(position, waypoint(next_));
-  const LevelRange levels = levels_of(frame, query);
-  const Cell reach = (Point::Constant(options_.escape_distance).cwiseQuotient(frame.cell()))
-                         .array()
-                         .ceil()
-                         .matrix()
-                         .cast<int>();
-  std::optional<Point> nearest;
-  double distance = options_.escape_distance;
-  Path way(2, 3);
-  way.row(0) = position.transpose();
-  for (int dx = -reach.x(); dx <= reach.x(); ++dx) {
-    for (int dy = -reach.y(); dy <= reach.y(); ++dy) {
-      for (int level = levels.lowest; level <= levels.highest; ++level) {
-        const Cell cell(own.x() + dx, own.y() + dy, level);
-        if (!frame.contains(cell) || blocked.blocked(cell)) continue;
-        const Point centre = vertex_of(frame, altitudes_of(query), cell);
-        if ((centre - position).norm() >= distance) continue;
-        way.row(1) = centre.transpose();
-        if (hit_on_escape(map.occupied, way, 0.0, position)) continue;
-        distance = (centre - position).norm();
-        nearest = centre;
-      }
-    }
-  }
-  return nearest;
 }
 
 }  // namespace ltp

@@ -7,60 +7,22 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "ltp/grid/neighbourhood.hpp"
 #include "ltp/grid/occupancy_grid.hpp"
 #include "ltp/grid/raster.hpp"
 #include "ltp/navigation/gates.hpp"
+#include "ltp/navigation/navigation_options.hpp"
 #include "ltp/navigation/navigation_reason.hpp"
 #include "ltp/navigation/obstacle_memory.hpp"
+#include "ltp/navigation/way_progress.hpp"
 #include "ltp/planning/grid_planner.hpp"
 #include "ltp/planning/planner.hpp"
 
 namespace ltp {
 
 class Route;
-
-struct NavigationOptions {
-  AltitudeBand band{0.0,
-                    0.0};  ///< about the altitudes of UAV and waypoint [m]; {0, 0}: planar flight
-  double reach_distance =
-      0.0;  ///< a waypoint is reached within it, horizontally [m]; 0: one horizontal cell diagonal
-  double leave_distance =
-      0.0;  ///< farther from its path the UAV has left it [m]; 0: one horizontal cell diagonal
-  double escape_distance =
-      20.0;  ///< how far to look for a free cell when standing in a blocked one [m]
-
-  /// A waypoint is served within it, horizontally [m]: its gate, to the whole of which is planned;
-  /// the last one stays a point. 0: all are points, reached within `reach_distance`.
-  double gate_radius = 0.0;
-  double gate_height = 0.0;  ///< the same, up and down [m]; 0: one cell
-  int horizon = 1;           ///< waypoints that are planned jointly, >= 1
-
-  std::int64_t max_expansions = 0;  ///< of a plan, see `Budget`; 0: no limit
-  double time_limit = 0.0;          ///< of a plan, see `Budget` [s]; 0: no limit
-
-  /// A waypoint that would cost more metres than the shortest way to it that was known at first, by
-  /// so many, is skipped as too far [m]; 0: none is.
-  double max_detour = 0.0;
-  /// Where the planner finds no path and a way is known, to fly the shortest one instead of
-  /// holding: for planners that are not complete, or have a tight budget.
-  bool fly_route = false;
-
-  void check() const;
-};
-
-enum class NavigationStatus {
-  Finished,   ///< no waypoint is left (or none was given)
-  Following,  ///< there is a path to the next waypoint, or towards it where the way there leaves
-              ///< the window
-  Escaping,   ///< the UAV stands in a blocked cell: the path leads to the nearest free one
-  Holding,    ///< no path and no proof: stay, and try again when the map has changed
-};
-
-std::string_view to_string(NavigationStatus status);
 
 /// What became of a waypoint.
 struct WaypointEvent {
@@ -92,11 +54,6 @@ struct MapView {
   const OccupancyGrid& blocked;   ///< the same, inflated
   std::int64_t version = 0;       ///< of the map: `ObstacleMap::version`
 };
-
-/// Whether a cell that was hit lies on an escape at or beyond an arc length [m]. The cell of the
-/// UAV's position counts as free: it is there.
-bool hit_on_escape(const OccupancyGrid& occupied, const PathRef& path, double from,
-                   const Point& position);
 
 /// Holds the waypoints and the plan. Plans in the window, but with all that is remembered; where
 /// the shortest way to the waypoint leaves the window, to a stopover on it. Replans when the path
@@ -171,14 +128,11 @@ class Navigator {
   NavigationReason take_route(const Query& query, const Plan* inside,
                               const std::function<bool()>& interrupted);
   void escape(const MapView& map, const Point& position);
-  std::optional<Point> escape_point(const MapView& map, const Point& position);
   Query through_gates(const Point& position);
   Query query_to(const Point& position, const Point& goal);
   PlanStatus find_route(const Query& query, bool& sealed, const std::function<bool()>& interrupted);
   Point towards(const Query& query);
   const Plan& ask(const Query& query, const std::function<bool()>& interrupted);
-  bool is_stalled();
-  bool is_too_far();
   NavigationReason follow(NavigationStatus status, const Path& path);
   NavigationReason follow_through(const Plan& plan);
   NavigationReason hold(NavigationReason reason);
@@ -211,12 +165,7 @@ class Navigator {
   ObstacleMemory memory_;
   OccupancyGrid known_;  ///< of the window: what it has blocked, and what is remembered
   std::unique_ptr<Route> route_;
-  // Of the way to the current waypoint.
-  double flown_ = 0.0;                     ///< since it became the next one [m]
-  std::optional<double> first_length_;     ///< of the way to it that was known at first [m]
-  double least_left_ = 0.0;                ///< shortest so far on the same map [m]
-  std::int64_t measured_on_ = kNoVersion;  ///< version of the memory for `least_left_`
-  int stalls_ = 0;                         ///< times in a row that the way had grown no shorter
+  WayProgress way_progress_;  ///< on the way to the current waypoint
 };
 
 }  // namespace ltp
