@@ -1634,7 +1634,7 @@ class NavigationOptions:
     """
     When a waypoint is reached, a path left, a height allowed.
     """
-    __fields__: typing.ClassVar[tuple] = ('band', 'reach_distance', 'leave_distance', 'escape_distance', 'gate_radius', 'gate_height', 'horizon', 'max_expansions', 'time_limit', 'max_detour', 'fly_route')
+    __fields__: typing.ClassVar[tuple] = ('band', 'climb', 'reach_distance', 'leave_distance', 'escape_distance', 'gate_radius', 'gate_height', 'horizon', 'max_expansions', 'time_limit', 'max_detour', 'fly_route')
     def __copy__(self) -> NavigationOptions:
         ...
     def __deepcopy__(self, memo: dict) -> NavigationOptions:
@@ -1643,6 +1643,10 @@ class NavigationOptions:
         ...
     def __repr__(self) -> str:
         ...
+    def band_from(self, start: typing.SupportsFloat | typing.SupportsIndex, highest: typing.SupportsFloat | typing.SupportsIndex) -> tuple[float, float]:
+        """
+        The band (below, above) of a leg that begins at an altitude and whose highest waypoint lies at another [m].
+        """
     def check(self) -> None:
         """
         Raises `ValueError` that names the field.
@@ -1654,6 +1658,14 @@ class NavigationOptions:
         """
     @band.setter
     def band(self, arg1: tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex]) -> None:
+        ...
+    @property
+    def climb(self) -> float:
+        """
+        how far above the highest waypoint of a leg the UAV may rise, however high it is by now [m]; 0: `band`'s second number
+        """
+    @climb.setter
+    def climb(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def escape_distance(self) -> float:

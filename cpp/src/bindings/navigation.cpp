@@ -136,6 +136,9 @@ void bind_options(py::module_& m) {
           },
           "(below, above): how far to leave the altitudes of UAV and waypoint [m]; (0, 0) is "
           "planar flight")
+      .field("climb", &ltp::NavigationOptions::climb,
+             "how far above the highest waypoint of a leg the UAV may rise, however high it is by "
+             "now [m]; 0: `band`'s second number")
       .field("reach_distance", &ltp::NavigationOptions::reach_distance,
              "a waypoint is reached within it, horizontally [m]; 0: one horizontal cell diagonal")
       .field("leave_distance", &ltp::NavigationOptions::leave_distance,
@@ -158,7 +161,17 @@ void bind_options(py::module_& m) {
              "first, by so many, is skipped as too far [m]; 0: none is")
       .field("fly_route", &ltp::NavigationOptions::fly_route,
              "where the planner finds no path and a way is known, fly the shortest one instead of "
-             "holding");
+             "holding")
+      .bound()
+      .def(
+          "band_from",
+          [](const ltp::NavigationOptions& self, double start, double highest) {
+            const ltp::AltitudeBand band = self.band_from(start, highest);
+            return Band(band.below, band.above);
+          },
+          "start"_a, "highest"_a,
+          "The band (below, above) of a leg that begins at an altitude and whose highest waypoint "
+          "lies at another [m].");
 }
 
 void bind_results(py::module_& m) {

@@ -43,6 +43,12 @@ Query over(const AltitudeRange& altitudes, Query query) {
   return query;
 }
 
+double highest_waypoint(const Query& query) {
+  double highest = query.goal.z();
+  for (const Gate& gate : query.then) highest = std::max(highest, gate.point.z());
+  return highest;
+}
+
 /// Where a plan passes its first gate [m]; a planner that knows no gates leads there.
 double to_first_gate(const Plan& plan) {
   return plan.passed.empty() ? plan.tally.length : plan.passed.front();
@@ -246,7 +252,10 @@ void Navigator::recall(const MapView& map) {
 /// now: with a band about its own, ways would open and close as it climbs and sinks.
 Query Navigator::through_gates(const Point& position) {
   Query query = gates_.query(position, next_, options_.horizon, options_.band);
-  if (!altitudes_) altitudes_ = altitudes_of(query);
+  if (!altitudes_) {
+    query.band = options_.band_from(position.z(), highest_waypoint(query));
+    altitudes_ = altitudes_of(query);
+  }
   return over(*altitudes_, query);
 }
 

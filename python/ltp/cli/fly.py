@@ -58,6 +58,14 @@ def fly(
         bool | None,
         typer.Option(help="Free the paths from the grid's directions."),
     ] = None,
+    climb: Annotated[
+        float | None,
+        typer.Option(
+            help="Height above the highest waypoint of a leg to which the UAV may climb [m]; 0: it "
+            "keeps to its altitude. By default that of the preset `fly`, 20; 0 with --preset "
+            "paper; or as --config says."
+        ),
+    ] = None,
     chosen: Settings,
     waypoints: Annotated[
         Path | None,
@@ -98,7 +106,8 @@ def fly(
     """Fly one mission; write its record, a figure and a recording.
 
     Settings come from --config, those of the map from --preset; the options named here win over
-    both. The global path is one of the seeded ones, unless --waypoints gives another.
+    both. Without a file the UAV may climb (preset `fly`), which the paper's does not. The global
+    path is one of the seeded ones, unless --waypoints gives another.
 
     Exits with 1 after a collision, a time-out, or a flight that reached no waypoint.
     """
@@ -106,15 +115,19 @@ def fly(
 
     place = open_world(world)
     settings = chosen.open()
+    if chosen.config is None and chosen.preset != "paper":
+        settings.use_preset("fly")
     of_planner = settings.planner_options
     _set_given(settings, planner=planner, priority_map=priority_map)
     _set_given(of_planner, refine=refine)
+    _set_given(settings.navigation, climb=climb)
     _set_given(of_planner.weights, length=length_weight, priority=priority_weight)
     with (
         telling_old_names("--planner"),
         naming(
             "planner",
             "priority_map",
+            **{"navigation.climb": "--climb"},
             **{"weights.length": "--length-weight", "weights.priority": "--priority-weight"},
             **{
                 "planner_options.weights.length": "--length-weight",
@@ -123,6 +136,9 @@ def fly(
         ),
     ):
         settings.check()
+    if settings.navigation.climb > 0.0:
+        rise = f"{settings.navigation.climb:g} m"
+        say(f"the UAV may climb {rise} above its waypoints; --climb 0: it keeps to its altitude")
     if old_waypoints:
         note("--way-points is now --waypoints; the old name goes with the next release")
         waypoints = waypoints or old_waypoints

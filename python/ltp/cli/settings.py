@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Settings:
-    """Where the settings come from: a file or the defaults, and over them a preset of the map."""
+    """Where the settings come from: a file or the defaults, and over them a preset."""
 
     config: Annotated[
         Path | None,
@@ -28,8 +28,9 @@ class Settings:
     preset: Annotated[
         str | None,
         typer.Option(
-            help="Cells and window of the map, whatever --config says of it: `paper` (2 x 2 x 4 m, "
-            "inflated by whole cells), `low` (1 m) or `landing` (0.5 m, 60 m wide)."
+            help="Settings over those of --config: the map of `paper` (2 x 2 x 4 m, inflated by "
+            "whole cells; planar flight), `low` (1 m) or `landing` (0.5 m, 60 m wide); `fly`: it "
+            "may climb 20 m."
         ),
     ] = None
 

@@ -144,11 +144,11 @@ class MissionConfig:
 
     @classmethod
     def preset(cls, name: str) -> Self:
-        """The defaults, but for the map of a preset: `paper`, `low` or `landing`."""
+        """The defaults, but for those of a preset: `paper`, `fly`, `low` or `landing`."""
         return cls.from_dict(dict(preset(name)))
 
     def use_preset(self, name: str) -> None:
-        """Take the map of a preset; all else keeps its values."""
+        """Take the settings of a preset; all others keep their values."""
         assign(self, dict(preset(name)))
         self.check()
 

@@ -92,6 +92,7 @@ RANGES: Mapping[str, Range] = {
     "mapping.min_log_odds": Range(-100.0, 0.0),
     "mapping.max_log_odds": Range(0.0, 100.0),
     "navigation.band": Range(0.0, 1e5, "m", infinite=True),
+    "navigation.climb": Range(0.0, 1e5, "m", infinite=True),
     "navigation.reach_distance": Range(0.0, 1000.0, "m"),
     "navigation.leave_distance": Range(0.0, 1e4, "m"),
     "navigation.escape_distance": Range(0.01, 1e4, "m"),

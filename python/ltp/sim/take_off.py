@@ -32,7 +32,8 @@ def check_take_off(world: World, config: MissionConfig, path: NDArray[np.float64
     source = height if whole else float(min(config.mapping.cell))
     top = math.floor((ground - _HIT_DEPTH) / source) + _reach(radius, source)
     least = (math.floor(top * source / height + 1e-9) + 1) * height
-    ceiling = max(altitude, float(path[1, 2])) + config.navigation.band[1]
+    first = float(path[1, 2])
+    ceiling = max(altitude, first) + config.navigation.band_from(altitude, first)[1]
     if altitude < least and ceiling < least:
         raise ValueError(
             f"global_path[0]: the start's altitude is {altitude:g} m, {altitude - ground:g} m "

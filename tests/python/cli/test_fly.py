@@ -53,6 +53,28 @@ def test_fly_takes_settings_from_a_file_and_waypoints_from_a_table(
     assert not (tmp_path / "o" / "flight.rrd").exists()
 
 
+def test_the_uav_may_climb_unless_a_file_or_an_option_says_otherwise(
+    world: str, tmp_path: Path
+) -> None:
+    config = tmp_path / "config.toml"
+    config.write_text("[navigation]\nclimb = 8.0\n")
+    points = tmp_path / "points.csv"
+    points.write_text("20,65,30\n40,65,30\n")
+    for options, climb in (
+        ((), 20.0),
+        (("--climb", "5"), 5.0),
+        (("--climb", "0"), 0.0),
+        (("--config", config), 8.0),
+        (("--config", config, "--climb", "inf"), float("inf")),
+    ):
+        out = ("--waypoints", points, "--no-recording", "--out", tmp_path)
+        said = " ".join(succeed("fly", world, *options, *out).split())
+        record = FlightRecord.load(tmp_path / "flight.npz")
+        assert record.config.navigation.climb == climb
+        assert (f"may climb {climb:g} m above its waypoints" in said) == (climb > 0.0)
+    assert "--climb = -1" in fail("fly", world, "--climb", "-1", *out)
+
+
 def test_a_byte_order_mark_is_no_part_of_the_first_number(tmp_path: Path) -> None:
     points = tmp_path / "points.csv"
     points.write_text("20,20,30\n20,60,30\n", encoding="utf-8-sig")
@@ -71,8 +93,8 @@ def test_waypoints_that_cannot_be_flown_are_told_by_their_file(
 ) -> None:
     points = tmp_path / "points.csv"
     points.write_text(table)
-    command = ["fly", world, "--waypoints", points, "--no-recording", "--out", tmp_path / "o"]
-    assert complaint in fail(*command)
+    options = ("--climb", 0, "--no-recording", "--out", tmp_path / "o")
+    assert complaint in fail("fly", world, "--waypoints", points, *options)
 
 
 @pytest.mark.parametrize(
@@ -171,7 +193,8 @@ def test_a_start_too_low_is_a_mistake_that_names_the_least_altitude(
     world: str, tmp_path: Path
 ) -> None:
     waypoints = table(tmp_path / "points.csv", "20,20,2", "60,20,2")
-    said = fail("fly", world, "--waypoints", waypoints, "--no-recording", "--out", tmp_path)
+    options = ("--climb", 0, "--no-recording", "--out", tmp_path)
+    said = fail("fly", world, "--waypoints", waypoints, *options)
     assert "start's altitude is 2 m" in said
     assert "at least 4 m" in said
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Presets of the map: what they set, and which of them a height asks for."""
+"""Presets: what they set, and which of them a height asks for."""
 
 import math
 
@@ -9,10 +9,11 @@ import pytest
 from ltp.config import PRESETS, MissionConfig, finer_preset
 
 
-def test_a_preset_sets_the_map_and_nothing_else() -> None:
+def test_a_preset_sets_map_and_climb_and_nothing_else() -> None:
     for name in PRESETS:
         config = MissionConfig.preset(name)
-        config.mapping = MissionConfig().mapping
+        assert config.navigation.climb == (20.0 if name == "fly" else 0.0)
+        config.mapping, config.navigation.climb = MissionConfig().mapping, 0.0
         assert config.to_dict() == MissionConfig().to_dict()
     assert list(MissionConfig.preset("low").mapping.cell) == [1.0, 1.0, 1.0]
     landing = MissionConfig.preset("landing").mapping
@@ -28,9 +29,13 @@ def test_the_papers_map_inflates_cells_and_forgets() -> None:
 def test_what_is_set_already_keeps_its_value() -> None:
     config = MissionConfig(planner="ggwp")
     config.mapping.margin = 0.5
+    config.navigation.climb = 7.0
     config.use_preset("low")
+    assert config.navigation.climb == 7.0
+    config.use_preset("paper")
+    assert config.navigation.climb == 0.0
     assert config.planner == "ggwp" and config.mapping.margin == 0.5
-    with pytest.raises(ValueError, match=r"preset = 'high': expected one of paper, low, landing"):
+    with pytest.raises(ValueError, match=r"preset = 'high': expected one of paper, fly, low, landing"):
         config.use_preset("high")
 
 

@@ -168,3 +168,14 @@ def test_it_says_why() -> None:
     assert dropping.decision.status == ltp.NavigationStatus.FINISHED
     assert dropping.decision.reason == ltp.NavigationReason.ALL_DROPPED
     assert dropping.decision.events[0].why == ltp.NavigationReason.GOAL_BLOCKED
+
+
+def test_a_climb_counts_from_the_waypoints_a_band_from_the_uav_too() -> None:
+    options = ltp.NavigationOptions(band=(4.0, 8.0))
+    assert options.band_from(70.0, 50.0) == (4.0, 8.0)
+    options.climb = 30.0
+    assert options.band_from(40.0, 50.0) == (4.0, 30.0)
+    assert options.band_from(70.0, 50.0) == (4.0, 10.0)
+    assert options.band_from(90.0, 50.0) == (4.0, 0.0)
+    with pytest.raises(ValueError, match="climb = -1: expected a number >= 0"):
+        ltp.NavigationOptions(climb=-1.0).check()

@@ -14,6 +14,10 @@ namespace ltp {
 struct NavigationOptions {
   AltitudeBand band{0.0,
                     0.0};  ///< about the altitudes of UAV and waypoint [m]; {0, 0}: planar flight
+  /// How far above the highest waypoint of a leg the UAV may rise, however high it is by now [m];
+  /// 0: `band.above`, which counts from the UAV too, so that who has climbed may climb again. What
+  /// lies below where a leg begins stays open to it.
+  double climb = 0.0;
   double reach_distance =
       0.0;  ///< a waypoint is reached within it, horizontally [m]; 0: one horizontal cell diagonal
   double leave_distance =
@@ -37,6 +41,8 @@ struct NavigationOptions {
   /// holding: for planners that are not complete, or have a tight budget.
   bool fly_route = false;
 
+  /// The band of a leg that begins at an altitude and whose highest waypoint lies at another [m].
+  AltitudeBand band_from(double start, double highest) const;
   void check() const;
 };
 

@@ -44,10 +44,10 @@ class DropJudge:
                 raise ValueError(
                     f"window_origin {drop.window_origin} is not on the world's lattice"
                 )
-        below, above = record.config.navigation.band
+        bands = [_band_of(drop, record) for drop in record.dropped]
         return [
             drop
-            for drop in record.dropped
+            for drop, (below, above) in zip(record.dropped, bands, strict=True)
             if self._coarse.reachable(drop.position, drop.goal, below=below, above=above)
         ]
 
@@ -59,9 +59,13 @@ class DropJudge:
         if not record.dropped:
             return []
         self._fine = self._fine or FineCells(self._world, self._mapping.inflation_radius)
-        above = record.config.navigation.band[1]
         return [
             drop
             for drop in record.dropped
-            if self._fine.reachable(drop.position, drop.goal, above=above)
+            if self._fine.reachable(drop.position, drop.goal, above=_band_of(drop, record)[1])
         ]
+
+
+def _band_of(drop: WaypointEntry, record: FlightRecord) -> tuple[float, float]:
+    """(below, above): how far a way from the UAV to a waypoint could leave their altitudes [m]."""
+    return record.config.navigation.band_from(drop.position[2], drop.goal[2])

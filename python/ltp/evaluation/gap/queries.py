@@ -201,7 +201,7 @@ class QueryRecorder:
                     waypoint=answer.waypoint,
                     start=start,
                     goal=goal,
-                    band=self._setup.config.navigation.band,
+                    band=self._setup.config.navigation.band_from(start[2], goal[2]),
                     flown=answer.plan.penalty,
                     blocked=cells,
                 )

@@ -88,10 +88,11 @@ class RegretJudge:
         joint: Best | None = None
         between = end = begin
         if len(waypoints):
+            start = float(record.global_path[0, 2])
             ground = KnownGround(
                 self._cells(config, record.global_path),
                 setup.priority,
-                config.navigation.band,
+                config.navigation.band_from(start, max(start, *waypoints[:, 2])),
                 weights,
             )
             legs = ground.leg_by_leg(record.global_path[0], waypoints, radii)
