@@ -165,6 +165,8 @@ def regret_row(**changes):
         "outcome": "reached",
         "waypoints": 10,
         "served": 9,
+        "gates": "point",
+        "flown_gates": "point",
         "gate": 2.8,
         "last_gate": 2.8,
         "global_length": 500.0,

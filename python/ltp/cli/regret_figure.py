@@ -20,6 +20,16 @@ RegretFolder = Annotated[
 def regret(
     folder: RegretFolder,
     world: WorldArgument = "city",
+    beside: Annotated[
+        list[Path] | None,
+        typer.Option(
+            "--beside",
+            metavar="DIR",
+            help="Another folder of `ltp regret` to draw below it: other gates, another horizon. "
+            "May be given several times.",
+            show_default=False,
+        ),
+    ] = None,
     out: PictureFile = Path("out/regret.png"),
 ) -> None:
     """Draw what was flown against what one could have flown.
@@ -29,7 +39,11 @@ def regret(
     from ltp.evaluation.figures.regrets import regret_figure
     from ltp.evaluation.regret import TABLE, read_regrets
 
-    rows, place = read_regrets(folder / TABLE), open_world(world)
-    if rows and rows[0].world != place.name:
-        raise ValueError(f"{folder} was flown over {rows[0].world}, not over {place.name}")
+    place = open_world(world)
+    rows = []
+    for each in (folder, *(beside or ())):
+        mine = read_regrets(each / TABLE)
+        if mine and mine[0].world != place.name:
+            raise ValueError(f"{each} was flown over {mine[0].world}, not over {place.name}")
+        rows += mine
     write_figure(regret_figure(rows, place.attribution), out)

@@ -25,7 +25,7 @@ def test_regret_flies_judges_and_draws(world: str, tmp_path: Path) -> None:
     assert all(row.joint <= row.legs for row in rows if row.joint is not None)
     flown = {(row.planner, row.scenario): row.penalty for row in read_rows(out / "flights.csv")}
     assert all(row.flown == flown[row.planner, row.scenario] for row in rows)
-    assert "W_P/W_L = 2, gates of 2.83 m" in said and "jointly" in said
+    assert "W_P/W_L = 2, exact waypoints" in said and "jointly" in said
     assert "| Auto | 2/2 |" in (out / "regret.md").read_text()
     assert max(map(len, said.splitlines())) <= 80 + len(str(out))
     again = succeed(*command)
@@ -36,7 +36,8 @@ def test_regret_flies_judges_and_draws(world: str, tmp_path: Path) -> None:
     assert "4 of 4 flights were flown before" in wider and "gates of 10 m" in wider
     assert "judged before" not in wider
 
-    succeed("figure", "regret", out, world, "--out", tmp_path / "regret.png")
+    drawn = "--out", tmp_path / "regret.png"
+    succeed("figure", "regret", out, world, "--beside", out, *drawn)
     assert (tmp_path / "regret.png").read_bytes().startswith(b"\x89PNG")
     assert "was flown over town, not over built-in city" in fail("figure", "regret", out, "city")
 

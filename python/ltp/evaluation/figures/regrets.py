@@ -97,12 +97,12 @@ def _spread(axes: "Axes", mine: Sequence[RegretRow], summary: RegretSummary, lin
 
 
 def _belongs(row: RegretRow, summary: RegretSummary) -> bool:
-    return row.counts and (row.variant, row.gate) == (summary.variant, summary.gate)
+    return row.counts and (row.variant, row.gating) == (summary.variant, summary.gating)
 
 
 def _label(summary: RegretSummary) -> str:
     variant = summary.variant
     return (
-        f"{variant.contender.title}\n{MAP_NAMES[variant.priority_map]}, W_P/W_L = "
-        f"{variant.ratio:g}, gates of {summary.gate:.3g} m"
+        f"{variant.contender.title}, {summary.gating.title}\n"
+        f"{MAP_NAMES[variant.priority_map]}, W_P/W_L = {variant.ratio:g}"
     )

@@ -18,6 +18,7 @@ from ltp.world import World
 from ..campaign.metrics import flown_penalty
 from ..campaign.rows import FlightRow
 from ..campaign.true_grid import true_grid
+from .gating import asked_gates, radius_text
 from .routes import KnownGround
 from .rows import RegretRow
 from .slopes import Best, Route
@@ -74,6 +75,7 @@ class RegretJudge:
             key: of the row to be made.
         """
         config = record.config
+        flown_gates = asked_gates(config)
         served = [entry for entry in record.waypoints if entry.outcome == "reached"]
         waypoints = np.array([entry.goal for entry in served])
         last = served_radius(config)
@@ -118,6 +120,9 @@ class RegretJudge:
             outcome=flight.outcome,
             waypoints=flight.waypoints,
             served=len(waypoints),
+            gates=flown_gates if self._gate is None else radius_text(self._gate),
+            flown_gates=flown_gates,
+            horizon=config.navigation.horizon,
             gate=float(radii.max(initial=last)) if self._gate is None else self._gate,
             last_gate=last,
             global_length=direct,

@@ -9,6 +9,7 @@ from typing import Any
 from ..campaign.variants import Variant
 from ..contenders import with_current_name
 from ..row_table import RowTable
+from .gating import Gating, radius_text
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,7 +31,10 @@ class RegretRow:
     outcome: str  # of the flight
     waypoints: int  # of the global path, without its start
     served: int  # of these by the flight; the routes serve the same ones
-    gate: float  # radius within which the routes serve a waypoint that is not the last [m]
+    gates: str = ""  # that the routes pass, as asked for, see `Gating`; "": not recorded
+    flown_gates: str = ""  # the same of the flight
+    horizon: int = 1  # how many of them the flight planned jointly
+    gate: float  # largest radius within which the routes serve a waypoint but the last [m]
     last_gate: float  # the same of the last one [m]
     global_length: float  # of the global path: L_direct [m]
     flown: float  # Eq. 5
@@ -56,6 +60,12 @@ class RegretRow:
         """What was flown: a table's row gathers the flights of one."""
         weights = self.length_weight, self.priority_weight
         return Variant(self.planner, *weights, self.priority_map, self.refine)
+
+    @property
+    def gating(self) -> Gating:
+        """The gates that were asked for: flights of other gates are other rows of a table."""
+        judged = self.gates or radius_text(self.gate)
+        return Gating(judged, self.flown_gates or judged, self.horizon)
 
     @property
     def counts(self) -> bool:

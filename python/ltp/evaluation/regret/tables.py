@@ -12,15 +12,16 @@ from ..campaign.bootstrap import Interval, mean_interval
 from ..campaign.compare import interval_text
 from ..campaign.variants import Variant
 from ..conditions import map_title
+from .gating import Gating
 from .rows import RegretRow
 
 
 @dataclass(frozen=True)
 class RegretSummary:
-    """The flights of one variant under one gate; means over those that count, nan without any."""
+    """The flights of one variant with one gating; means over those that count, nan without any."""
 
     variant: Variant
-    gate: float  # [m]
+    gating: Gating
     flights: int
     counted: int  # of these: see `RegretRow.counts`
     flown: float  # mean of Eq. 5
@@ -38,11 +39,11 @@ class RegretSummary:
     def case(self) -> str:
         """What is the same for all lines of a table, in words."""
         title = map_title(self.variant.priority_map).capitalize()
-        return f"{title}, W_P/W_L = {self.variant.ratio:g}, gates of {self.gate:.3g} m"
+        return f"{title}, W_P/W_L = {self.variant.ratio:g}, {self.gating.title}"
 
 
 def summarise_regrets(rows: Sequence[RegretRow]) -> list[RegretSummary]:
-    """A summary for each variant and gate, in the order of the rows.
+    """A summary for each variant and gating, in the order of the rows.
 
     Raises:
         ValueError: if the rows are of several worlds.
@@ -50,10 +51,10 @@ def summarise_regrets(rows: Sequence[RegretRow]) -> list[RegretSummary]:
     worlds = {row.world for row in rows}
     if len(worlds) > 1:
         raise ValueError(f"rows of several worlds in one table: {', '.join(sorted(worlds))}")
-    groups: dict[tuple[Variant, float], list[RegretRow]] = {}
+    groups: dict[tuple[Variant, Gating], list[RegretRow]] = {}
     for row in rows:
-        groups.setdefault((row.variant, row.gate), []).append(row)
-    return [_summary(variant, gate, mine) for (variant, gate), mine in groups.items()]
+        groups.setdefault((row.variant, row.gating), []).append(row)
+    return [_summary(variant, gating, mine) for (variant, gating), mine in groups.items()]
 
 
 def by_case(summaries: Sequence[RegretSummary]) -> dict[str, list[RegretSummary]]:
@@ -118,7 +119,7 @@ def _cells(s: RegretSummary) -> list[str]:
     ]
 
 
-def _summary(variant: Variant, gate: float, mine: Sequence[RegretRow]) -> RegretSummary:
+def _summary(variant: Variant, gating: Gating, mine: Sequence[RegretRow]) -> RegretSummary:
     counted = [row for row in mine if row.counts]
 
     def column(name: str) -> np.ndarray:
@@ -127,7 +128,7 @@ def _summary(variant: Variant, gate: float, mine: Sequence[RegretRow]) -> Regret
     flown, legs, joint = (column(name) for name in ("flown", "legs", "joint"))
     return RegretSummary(
         variant=variant,
-        gate=gate,
+        gating=gating,
         flights=len(mine),
         counted=len(counted),
         flown=_mean(flown),

@@ -21,6 +21,7 @@ from ltp.evaluation.regret import (
     run_regret,
     served_radius,
 )
+from ltp.evaluation.regret.gating import asked_gates
 from ltp.evaluation.regret.tables import markdown_regrets, summarise_regrets
 from ltp.evaluation.scenarios import Scenario
 from ltp.sim import MissionSetup
@@ -102,6 +103,50 @@ def test_it_goes_on_where_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
         run_regret(world, [lost], tmp_path)
 
 
+def test_rows_are_gathered_by_what_was_asked_not_by_metres() -> None:
+    camera = {"gates": "camera", "flown_gates": "camera"}
+    rows = [regret_row(scenario=i, gate=25.0 + i, **camera) for i in range(3)]
+    rows += [regret_row(scenario=i, gate=25.0 + i, horizon=3, **camera) for i in range(3)]
+    rows += [regret_row(gates="10", flown_gates="camera", gate=10.0)]
+    rows += [regret_row(gates="25", flown_gates="25", gate=gate) for gate in (25.0, 2.8)]
+    summaries = summarise_regrets(rows)
+    assert [summary.flights for summary in summaries] == [3, 3, 1, 2]
+    assert [summary.gating.title for summary in summaries] == [
+        "camera gates",
+        "camera gates, horizon 3",
+        "gates of 10 m, flown with camera gates",
+        "gates of 25 m",
+    ]
+    # Of files that do not say what was asked, the radius is all there is.
+    (old,) = summarise_regrets([regret_row(gates="", flown_gates="", gate=2.828)])
+    assert old.gating.title == "gates of 2.828 m"
+
+
+def test_what_a_configuration_asks_for() -> None:
+    asked = {"point": "point", "camera": "camera", 25.0: "25", 12: "12"}
+    for gate, text in asked.items():
+        assert asked_gates(MissionConfig(gate=gate)) == text
+    config = MissionConfig()
+    config.navigation.gate_radius = 9.5
+    assert asked_gates(config) == "9.5"
+    config.navigation.reach_distance = 25.0
+    assert asked_gates(config) == "25"
+
+
+def test_camera_gates_over_hills_are_one_line(tmp_path: Path) -> None:
+    world = box_world([])
+    scenarios = [Scenario(i, 1, STRAIGHT + np.array([0.0, 0.0, 20.0 * i]), False) for i in range(2)]
+    campaign = Campaign(world, [AUTO], scenarios, MissionConfig(gate="camera"))
+    flights = run_campaign(campaign, tmp_path, keep_records=True)
+    rows = run_regret(world, flights, tmp_path)
+    assert rows[0].gate < rows[1].gate  # half the footprint follows the altitude
+    assert read_regrets(tmp_path / TABLE) == rows
+    (summary,) = summarise_regrets(rows)
+    assert (summary.flights, summary.gating.title) == (2, "camera gates")
+    (wide,) = summarise_regrets(run_regret(world, flights, tmp_path, gate=10.0))
+    assert wide.gating.title == "gates of 10 m, flown with camera gates"
+
+
 def test_means_are_over_flights_that_ended_and_can_be_compared() -> None:
     rows = [
         regret_row(),
@@ -116,7 +161,7 @@ def test_means_are_over_flights_that_ended_and_can_be_compared() -> None:
     assert (first.flown_length, first.joint_length) == (1.2, 1.1)
     assert math.isnan(second.over_joint.low)
     text = markdown_regrets(rows)
-    assert "## Binary priority map, W_P/W_L = 2, gates of 2.8 m" in text
+    assert "## Binary priority map, W_P/W_L = 2, exact waypoints" in text
     assert "| Auto | 2/4 | +0.150 | +0.000 | +0.150 [" in text
     assert {line.count("|") for line in text.splitlines()} - {0} == {11}
     none = regret_row(legs=None, joint=None)
