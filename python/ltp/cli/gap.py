@@ -75,7 +75,8 @@ def gap(
     """Measure every planner's gap to the exact optimum.
 
     Flies the global paths with the planner of the settings (`--config`) and keeps what it was
-    asked: the map as sensed so far, start, goal. Then every planner answers every query
+    asked: the map as sensed so far, start, goal; settings with gates or a horizon are refused, as
+    a query goes from a point to a point. Then every planner answers every query
     under each ratio, map and band; its penalty, Eq. 5, is held against the optimum, its lower bound
     too. Times are of one plan at a time on one core. Writes queries.npz, gap.csv, gap.md and
     overview.md. Stopped in any way, it goes on where it was when the same command is given again.

@@ -28,6 +28,7 @@ from ltp.world import World
 from ..conditions import PRIORITY_MAPS
 from ..scenarios import Scenario
 from ..sensed import CellMap
+from .points_only import refuse_gates
 
 if TYPE_CHECKING:
     from ltp.sim.record import FlightRecord
@@ -180,7 +181,8 @@ class QueryRecorder:
         self._scenario = scenario
 
     def on_start(self, setup: MissionSetup) -> None:
-        """See `Observer`."""
+        """See `Observer`; `ValueError` for a flight through gates or with a horizon."""
+        refuse_gates(setup.config)
         self._setup = setup
 
     def on_step(self, step: Step) -> None:
@@ -229,7 +231,11 @@ def record_queries(
             were asked.
         source: see `QuerySet`.
         on_flight: told how many flights are done.
+
+    Raises:
+        ValueError: for no queries, or a configuration with gates or a horizon; it is named.
     """
+    refuse_gates(config)
     if count < 1:
         raise ValueError(f"the number of queries must be >= 1, not {count!r}")
     share = math.ceil(count / len(scenarios))

@@ -110,6 +110,24 @@ def test_thinning_keeps_both_ends() -> None:
         record_queries(town(), [], CONFIG, 0)
 
 
+def test_flights_through_gates_are_refused_by_name() -> None:
+    # Their plans end anywhere in a region: kept as points, they would be other questions.
+    gated, looking = MissionConfig(), MissionConfig()
+    gated.navigation.gate_radius = 5.0
+    looking.navigation.horizon = 3
+    for config, said in (
+        (MissionConfig(gate="camera"), "gate = 'camera': expected 'point'"),
+        (MissionConfig(gate=25.0), "gate = 25.0: expected 'point'"),
+        (gated, "navigation.gate_radius = 5.0: expected 0.0"),
+        (looking, "navigation.horizon = 3: expected 1"),
+    ):
+        with pytest.raises(ValueError, match=said):
+            record_queries(town(), [], config, 8)
+        path = make_scenarios(town(), OPTIONS)[0].global_path
+        with pytest.raises(ValueError, match=said):
+            fly(town(), config, path, [QueryRecorder(0)])
+
+
 def test_other_files_are_no_queries(tmp_path: Path) -> None:
     path = tmp_path / "queries.npz"
     np.savez(path, values=np.zeros(3))
