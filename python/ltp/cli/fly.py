@@ -200,6 +200,16 @@ def _tell_finer_preset(
         )
 
 
+def _fates(record: "FlightRecord") -> str:
+    """How many were reached and from how near, and what became of the others."""
+    near = [entry.distance for entry in record.reached]
+    how_near = f" (from {min(near):.1f} to {max(near):.1f} m)" if near else ""
+    left = len(record.global_path) - 1 - len(record.waypoints)
+    others = {"dropped": len(record.dropped), "too far": len(record.skipped), "left": left}
+    parts = [f"{len(near)} reached{how_near}"]
+    return ", ".join(parts + [f"{count} {fate}" for fate, count in others.items() if count])
+
+
 def _report(record: "FlightRecord") -> None:
     outcome = record.outcome.value.replace("_", " ")
     say(
@@ -209,6 +219,7 @@ def _report(record: "FlightRecord") -> None:
     )
     if record.outcome != "reached":
         say(f"why: {record.reason}")
+    say(f"waypoints: {_fates(record)}")
     for event in record.waypoints:
         if event.outcome != "reached":
             fate = f"{event.outcome} at {event.time:.0f} s: {event.reason_text}"

@@ -14,26 +14,8 @@ if TYPE_CHECKING:
 
     from ltp._core import Raster
     from ltp.config import MissionConfig
-    from ltp.sim import MissionSetup, Step
     from ltp.sim.record import FlightRecord
     from ltp.world import World
-
-
-class _MapLosses:
-    """Observes which hits a flight's obstacle map lost, and says so in sentences."""
-
-    def __init__(self) -> None:
-        self.sentences: list[str] = []
-
-    def on_start(self, setup: "MissionSetup") -> None:
-        """Nothing yet."""
-
-    def on_step(self, step: "Step") -> None:
-        """Keep what the map says by now."""
-        self.sentences = step.map.totals.warnings(step.map.options)
-
-    def on_end(self, record: "FlightRecord") -> None:
-        """Nothing more."""
 
 
 def fly_recorded(
@@ -62,13 +44,11 @@ def fly_recorded(
     from .progress import FlightProgress
 
     sensed = SensedTrace()
-    losses = _MapLosses()
     recorded = has_rerun() if wanted is None else wanted
     with ExitStack() as stack:
         observers: list[Any] = [
             stack.enter_context(FlightProgress(console(), title)),
             sensed,
-            losses,
         ]
         if recorded:
             from ltp.viewer import FlightRecording
@@ -78,7 +58,7 @@ def fly_recorded(
         record = mission.fly()
         if save_map is not None:
             mission.planner.map.save(save_map)
-    for sentence in losses.sentences:
+    for sentence in record.map_losses:
         note(f"map: {sentence}")
     if not recorded and wanted is None:
         say(f"no recording: it needs {pip_install('viewer')}")

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ltp._core import GridFrame, OccupancyGrid
 from ltp.brief import brief
+from ltp.sim.record import fate_of
 
 if TYPE_CHECKING:
     from ltp.sim import FlightRecord, MissionSetup, Step
@@ -81,7 +82,7 @@ class SnapshotTaker:
         self._flown.append(step.position)
         if not (step.path_changed or step.events):
             return
-        drops = [event for event in step.events if not event.reached]
+        drops = [event for event in step.events if fate_of(event) == "dropped"]
         goals = step.waypoints if len(step.waypoints) else step.position[None]
         index = min(step.waypoint_index, len(goals) - 1)
         self.snapshots.append(

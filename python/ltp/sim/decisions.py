@@ -5,7 +5,7 @@
 import logging
 
 from ltp._core import PlanStatus
-from ltp.sim.record import FlightRecord
+from ltp.sim.record import FlightRecord, fate_of
 from ltp.sim.setup import MissionSetup
 from ltp.sim.step import Step
 
@@ -39,8 +39,9 @@ class DecisionLog:
                 name = plan.status.name.lower()
                 _log.info(text, step.time, answer.waypoint, name, plan.stats.expanded)
         for event in step.events:
-            how = "reached" if event.reached else f"dropped ({event.why.name.lower()})"
-            _log.info("%.1f s: waypoint %d %s", step.time, event.index, how)
+            why = "" if event.reached else f" ({event.why.name.lower()})"
+            fate = f"{fate_of(event)}{why}"
+            _log.info("%.1f s: waypoint %d %s", step.time, event.index, fate)
         if step.status != self._status:
             where = tuple(round(float(value), 1) for value in step.position)
             why = f": {step.reason.text}" if step.reason.text else ""

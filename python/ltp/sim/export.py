@@ -110,10 +110,13 @@ def _features(world: World, records: Sequence[FlightRecord]) -> Iterator[_Featur
             },
         )
         yield _Feature("global path", _on_earth(world, record.global_path), {"kind": "global path"})
-        for drop in record.dropped:
-            facts = {"kind": "dropped waypoint", "reason": drop.reason, "time": drop.time}
-            name = f"waypoint {drop.index + 1} dropped by {planner}"
-            yield _Feature(name, _on_earth(world, [drop.goal]), facts)
+        for entry in record.waypoints:
+            if entry.outcome == "reached":
+                continue
+            kind = f"{entry.outcome} waypoint"
+            facts = {"kind": kind, "reason": entry.reason, "time": entry.time}
+            name = f"waypoint {entry.index + 1} {entry.outcome} by {planner}"
+            yield _Feature(name, _on_earth(world, [entry.goal]), facts)
         if record.collision is not None:
             facts = {"kind": "hit", "planner": planner, "time": record.duration}
             yield _Feature(f"hit by {planner}", _on_earth(world, [record.collision]), facts)

@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`FlightLog`: an observer that gathers a flight step by step and makes its record."""
 
+import itertools
+
 import numpy as np
 from numpy.typing import NDArray
 
-from ltp._core import Raster, tally
+from ltp._core import InsertStatistics, ObstacleMap, Raster, tally
 from ltp.sim.record import FlightRecord, Outcome, PlanEntry, WaypointEntry
 from ltp.sim.setup import MissionSetup
 from ltp.sim.step import Step
@@ -29,6 +31,8 @@ class FlightLog:
         self._given: NDArray[np.float64] | None = None  # waypoints that are flown
         self._before = 0  # how many of the entries are about waypoints given earlier
         self._global_path: NDArray[np.float64] = np.empty((0, 3))
+        self._map: ObstacleMap | None = None  # of the last step; its counts are those of all scans
+        self._counts: list[tuple[InsertStatistics, list[str]]] = []  # of maps that were given up
         self._priorities: list[tuple[int, Raster]] = []  # each from a step on
 
     def on_start(self, setup: MissionSetup) -> None:
@@ -41,6 +45,9 @@ class FlightLog:
             self._take_up(step.waypoints)
         if not self._priorities or step.priority is not self._priorities[-1][1]:
             self._priorities.append((len(self._times), step.priority))
+        if step.map is not self._map:
+            self._counts = self._counted()
+            self._map = step.map
         before = self._before
         self._plans += [PlanEntry.of(answer, step.time, before) for answer in step.plans]
         self.waypoints += [WaypointEntry.of(event, step.time, before) for event in step.events]
@@ -58,6 +65,13 @@ class FlightLog:
         self._given, self._before = waypoints, len(self.waypoints)
         flown = np.array([entry.goal for entry in self.waypoints]).reshape(-1, 3)
         self._global_path = np.concatenate([self._setup.global_path[:1], flown, waypoints])
+
+    def _counted(self) -> list[tuple[InsertStatistics, list[str]]]:
+        """What became of the points sensed, and which losses are worth a word, of each map."""
+        if self._map is None:
+            return self._counts
+        totals = self._map.totals
+        return [*self._counts, (totals, totals.warnings(self._map.options))]
 
     def _mean_priority(self, positions: NDArray[np.float64]) -> float:
         """Along the positions (t, 3), each stretch by the map that it was flown with."""
@@ -88,6 +102,7 @@ class FlightLog:
         """
         setup, positions = self._setup, np.array(self._positions)
         length = tally(positions, setup.priority).length
+        counted = self._counted()
         clearance = setup.surface.clearance(positions, _CLEARANCE_HORIZON)
         return FlightRecord(
             config=setup.config,
@@ -107,4 +122,9 @@ class FlightLog:
             mean_priority=self._mean_priority(positions),
             length=length,
             reason=reason,
+            map_totals={
+                name: sum(getattr(totals, name) for totals, _ in counted)
+                for name in InsertStatistics.__fields__
+            },
+            map_losses=list(itertools.chain.from_iterable(words for _, words in counted)),
         )

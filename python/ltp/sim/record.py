@@ -42,7 +42,8 @@ class Outcome(enum.StrEnum):
     STOPPED = "stopped"  # by whoever flew it, on its way
 
 
-def _outcome(event: WaypointEvent) -> str:
+def fate_of(event: WaypointEvent) -> str:
+    """What became of its waypoint: "reached", "dropped" on proof, or "skipped" as too far."""
     if event.why == NavigationReason.TOO_FAR:
         return "skipped"
     return "reached" if event.reached else "dropped"
@@ -61,6 +62,11 @@ class WaypointEntry:
     window_origin: tuple[float, float, float]  # lowest corner of the map's window
 
     @property
+    def distance(self) -> float:
+        """From the UAV to the waypoint [m]: how near it was served, or was when it was given up."""
+        return math.dist(self.position, self.goal)
+
+    @property
     def reason_text(self) -> str:
         """The reason as a plain sentence without its full stop; "" if it was reached."""
         known = NavigationReason.__members__.get(self.reason.upper())
@@ -71,7 +77,7 @@ class WaypointEntry:
         """An event of the planner's at a time [s]; before: waypoints that it no longer counts."""
         return cls(
             index=before + event.index,
-            outcome=_outcome(event),
+            outcome=fate_of(event),
             reason="" if event.reached else event.why.name.lower(),
             time=time,
             position=_point(event.position),
@@ -138,18 +144,22 @@ class FlightRecord:
     length: float  # of the flown path [m]
     metadata: dict[str, Any] = field(default_factory=dict)  # the user's own, JSON values
     reason: str = ""  # why it ended so, a sentence without its full stop; "": not recorded
+    # What became of all points sensed, by the names of `ltp.InsertStatistics`; {}: not recorded.
+    map_totals: dict[str, int] = field(default_factory=dict)
+    map_losses: list[str] = field(default_factory=list)  # sentences: which hits the map lost
 
     way_points = _old_name("way_points", "waypoints")
     way_point_index = _old_name("way_point_index", "waypoint_index")
 
     def __repr__(self) -> str:
-        reached = sum(entry.outcome == "reached" for entry in self.waypoints)
+        far = f", {len(self.skipped)} too far" if self.skipped else ""
         touched = "" if self.collision is None else f" at {self.collision}"
         seconds = f"{self.times[-1]:.1f} s" if len(self.times) else "no time"
         return (
             f"FlightRecord({self.config.planner} over {self.world_name!r}: "
-            f"{self.outcome.value}{touched}, {self.length:.1f} m in {seconds}, {reached} waypoints "
-            f"reached, {len(self.dropped)} dropped, {len(self.plans)} plans)"
+            f"{self.outcome.value}{touched}, {self.length:.1f} m in {seconds}, "
+            f"{len(self.reached)} waypoints reached, {len(self.dropped)} dropped{far}, "
+            f"{len(self.plans)} plans)"
         )
 
     @property
@@ -161,6 +171,11 @@ class FlightRecord:
     def length_ratio(self) -> float:
         """L_LP / L_GP: length flown over length of the global path; NaN without one."""
         return self.length / self.global_length if self.global_length > 0.0 else math.nan
+
+    @property
+    def reached(self) -> list[WaypointEntry]:
+        """The waypoints that were served."""
+        return [event for event in self.waypoints if event.outcome == "reached"]
 
     @property
     def dropped(self) -> list[WaypointEntry]:
@@ -202,6 +217,8 @@ class FlightRecord:
             "attribution": self.attribution,
             "outcome": self.outcome.value,
             "reason": self.reason,
+            "map_totals": self.map_totals,
+            "map_losses": self.map_losses,
             "collision": self.collision,
             "min_clearance": self.min_clearance,
             "mean_priority": self.mean_priority,

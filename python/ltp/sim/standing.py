@@ -10,6 +10,8 @@ from ltp.sim.record import Outcome, WaypointEntry
 from ltp.sim.setup import MissionSetup
 from ltp.sim.step import Step
 
+_ALL_DROPPED = NavigationReason.ALL_DROPPED.text
+
 
 @dataclass(frozen=True, eq=False)
 class Standing:
@@ -41,12 +43,13 @@ class Standing:
         if outcome is Outcome.COLLIDED:
             return "the true world was touched"
         if outcome is Outcome.NOTHING_REACHED:
-            return NavigationReason.ALL_DROPPED.text
+            too_far = self._count("skipped")
+            return f"no waypoint was reached: {self._others}" if too_far else _ALL_DROPPED
         if outcome is Outcome.REACHED:
             if self._reached == len(self.fates):
                 return "every waypoint was reached"
             of = f"{self._reached} of {len(self.fates)}"
-            return f"{of} waypoints were reached, the others dropped"
+            return f"{of} waypoints were reached, {self._others}"
         if self.step is None or outcome is Outcome.STOPPED:
             return "it was stopped on its way"
         if self.step.status == NavigationStatus.HOLDING:
@@ -56,7 +59,18 @@ class Standing:
 
     @property
     def _reached(self) -> int:
-        return sum(entry.outcome == "reached" for entry in self.fates)
+        return self._count("reached")
+
+    @property
+    def _others(self) -> str:
+        """What became of those that were not reached: a proof is told from a limit."""
+        dropped, too_far = self._count("dropped"), self._count("skipped")
+        if not too_far:
+            return "the others dropped"
+        return f"{dropped} dropped, {too_far} too far" if dropped else "the others too far"
+
+    def _count(self, fate: str) -> int:
+        return sum(entry.outcome == fate for entry in self.fates)
 
     @property
     def _held_too_long(self) -> bool:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ltp._core import ObstacleMap, OccupancyGrid, Scan, path_length, tally
 from ltp.sim import FlightRecord, MissionSetup, Step
+from ltp.sim.record import fate_of
 
 from .rerun_module import require_rerun
 from .scenery import Mesh, priority_mesh, surface_mesh
@@ -23,6 +24,7 @@ _MOST_HITS = 1200  # points of a scan that are kept
 _CYAN, _RED, _YELLOW = (0, 200, 230), (224, 33, 58), (255, 220, 0)
 _BLUE, _GREEN, _WHITE = (31, 139, 224), (24, 176, 123), (245, 245, 245)
 _GREY = (150, 156, 168)
+_FATES = {"reached": _GREEN, "dropped": _RED, "skipped": _YELLOW}
 
 
 class FlightRecording:
@@ -123,6 +125,7 @@ class FlightRecording:
         self._note_map()
         text = f"{record.outcome.value}: mean priority {record.mean_priority:.2f}, "
         text += f"length ratio {record.length_ratio:.2f}, {len(record.dropped)} waypoints dropped"
+        text += f", {len(record.skipped)} too far" if record.skipped else ""
         text += f"; {record.reason}" if record.reason else ""
         self._log("events", self._rr.TextLog(text, level="INFO"))
         if record.collision is not None:
@@ -136,11 +139,12 @@ class FlightRecording:
             self._waypoints = step.waypoints
             self._colours = np.tile(np.array(_CYAN, dtype=np.uint8), (len(step.waypoints), 1))
         for event in step.events:
-            fate = "reached" if event.reached else f"dropped: {event.why.text}"
+            why = "" if event.reached else f": {event.why.text}"
+            near = f", {event.distance:.1f} m from it" if event.reached else ""
             level = "INFO" if event.reached else "WARN"
-            text = f"waypoint {event.index + 1} {fate}"
+            text = f"waypoint {event.index + 1} {fate_of(event)}{why}{near}"
             self._log("events", self._rr.TextLog(text, level=level))
-            self._colours[event.index] = _GREEN if event.reached else _RED
+            self._colours[event.index] = _FATES[fate_of(event)]
         goals = self._rr.Points3D(self._waypoints, colors=self._colours, radii=2.0)
         self._log("mission/waypoints", goals)
 

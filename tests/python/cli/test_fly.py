@@ -189,6 +189,23 @@ def test_a_flight_that_fails_exits_with_1_and_says_why(
     assert FlightRecord.load(tmp_path / "flight.npz").reason in said
 
 
+def test_the_summary_tells_what_was_too_far_and_what_the_map_lost(
+    world: str, tmp_path: Path
+) -> None:
+    config = tmp_path / "config.toml"
+    config.write_text("[navigation]\nmax_detour = 1.0\n[mapping]\ndims = [12, 12, 20]\n")
+    waypoints = table(tmp_path / "points.csv", "20,65,30", "40,65,30", "130,65,30")
+    options = ("--waypoints", waypoints, "--config", config, "--no-recording", "--out", tmp_path)
+    result = run("fly", world, *options)
+    assert result.exit_code == 0, result.output
+    said = " ".join(result.stdout.split())
+    assert "waypoints: 1 reached (from 2." in said and " m), 1 too far" in said
+    assert "waypoint 2 skipped at" in said
+    assert "ltp: map: " in result.stderr and "outside the map's window" in result.stderr
+    record = FlightRecord.load(tmp_path / "flight.npz")
+    assert record.map_losses and record.map_totals["outside"] > 0
+
+
 def test_a_start_too_low_is_a_mistake_that_names_the_least_altitude(
     world: str, tmp_path: Path
 ) -> None:

@@ -50,6 +50,51 @@ def test_a_flight_whose_waypoints_are_all_dropped_has_reached_nothing(tmp_path) 
     assert again.dropped[0].reason_text == record.dropped[0].reason_text
 
 
+def test_too_far_is_no_proof() -> None:
+    # A wall across the way: round it is farther than the detour allows. The waypoint beyond it
+    # is skipped, and never counted among those dropped.
+    surface = flat(200)
+    surface[:, 100:106] = 60.0
+    config = small_config()
+    config.navigation.max_detour = 60.0
+    events = []
+
+    class Watch:
+        def on_start(self, setup) -> None: ...
+
+        def on_step(self, step) -> None:
+            events.extend(step.events)
+
+        def on_end(self, record) -> None: ...
+
+    path = line((95, 70), (95, 80), (95, 130))
+    record = ltp.fly(make_world(surface), config, path, [Watch()])
+    assert [entry.outcome for entry in record.waypoints] == ["reached", "skipped"]
+    assert (len(record.reached), record.dropped, len(record.skipped)) == (1, [], 1)
+    assert record.skipped[0].reason == "too_far" and "too far" in record.skipped[0].reason_text
+    assert record.reason == "1 of 2 waypoints were reached, the others too far"
+    assert "0 dropped, 1 too far" in repr(record)
+    assert [entry.distance for entry in record.waypoints] == pytest.approx(
+        [event.distance for event in events]
+    )
+    nowhere = ltp.fly(make_world(surface), config, line((95, 80), (95, 130)))
+    assert nowhere.outcome is Outcome.NOTHING_REACHED
+    assert nowhere.reason == "no waypoint was reached: the others too far"
+
+
+def test_what_the_map_lost_is_in_the_record() -> None:
+    surface = flat()
+    surface[70:100, 50:90] = 60.0
+    config = small_config()
+    whole = ltp.fly(make_world(surface), config, line((30, 70), (40, 70)))
+    assert whole.map_totals["marked"] > 0 and whole.map_totals["outside"] == 0
+    assert whole.map_losses == []
+    config.mapping.dims = [10, 10, 20]
+    small = ltp.fly(make_world(surface), config, line((30, 70), (40, 70)))
+    assert small.map_totals["outside"] > 0
+    assert "hits lie outside the map's window of 20 m x 20 m" in small.map_losses[0]
+
+
 def test_one_waypoint_reached_is_not_nothing() -> None:
     surface = flat()
     surface[70:100, 50:90] = 60.0

@@ -43,6 +43,8 @@ def make_record(plans: int = 2) -> FlightRecord:
         mean_priority=0.25,
         length=6.0,
         metadata={"scenario": 3},
+        map_totals={"marked": 7},
+        map_losses=["1 of 8 hits ..."],
     )
 
 
@@ -61,6 +63,21 @@ def test_record_round_trip(tmp_path, plans: int) -> None:
     assert again.length_ratio == pytest.approx(6.0 / 5.0)
     assert not again.complete
     assert [event.reason for event in again.dropped] == ["unreachable"]
+    assert [event.distance for event in again.waypoints] == [5.0]
+    assert (again.map_totals, again.map_losses) == ({"marked": 7}, ["1 of 8 hits ..."])
+
+
+def test_a_record_from_before_maps_were_counted_is_read(tmp_path) -> None:
+    make_record().save(tmp_path / "new.npz")
+    with np.load(tmp_path / "new.npz") as archive:
+        arrays = {name: archive[name] for name in archive.files}
+    header = json.loads(arrays.pop("header").tobytes())
+    del header["map_totals"], header["map_losses"]
+    arrays["header"] = np.frombuffer(json.dumps(header).encode(), dtype=np.uint8)
+    np.savez_compressed(tmp_path / "old.npz", **arrays)
+    old = FlightRecord.load(tmp_path / "old.npz")
+    assert (old.map_totals, old.map_losses) == ({}, [])
+    assert [event.distance for event in old.waypoints] == [5.0]
 
 
 def as_format_1(new: Path, old: Path) -> None:

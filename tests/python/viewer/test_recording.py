@@ -62,6 +62,29 @@ def test_waypoints_that_change_in_flight_are_recorded(tmp_path: Path) -> None:
     assert rows["/events"] >= 1
 
 
+def test_the_list_of_waypoints_says_how_near_and_what_was_too_far(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    config = MissionConfig()
+    config.navigation.max_detour = 1.0
+    config.mapping.dims = [12, 12, 20]  # what stands in the way is seen late
+    told = []
+    path = np.array([[20.0, 65.0, 30.0], [40.0, 65.0, 30.0], [130.0, 65.0, 30.0]])
+    with FlightRecording(tmp_path / "flight.rrd") as recording:
+        log = recording._log
+
+        def listen(name: str, value: object) -> None:
+            if name == "events":
+                told.append(value.text.as_arrow_array()[0].as_py())
+            log(name, value)
+
+        monkeypatch.setattr(recording, "_log", listen)
+        fly(town(), config, path, [recording])
+    assert re.fullmatch(r"waypoint 1 reached, 2\.\d m from it", told[0])
+    assert told[1].startswith("waypoint 2 skipped: the waypoint is too far")
+    assert "0 waypoints dropped, 1 too far" in told[2]
+
+
 def test_a_recording_holds_the_whole_flight(tmp_path: Path) -> None:
     world, path = town(), tmp_path / "flight.rrd"
     with FlightRecording(path) as recording:

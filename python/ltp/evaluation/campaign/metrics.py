@@ -81,7 +81,7 @@ def flight_row(
         outcome=record.outcome.value,
         reason=record.reason,
         waypoints=len(record.global_path) - 1,
-        reached=len(record.waypoints) - len(drops) - len(record.skipped),
+        reached=len(record.reached),
         dropped=len(drops),
         too_far=len(record.skipped),
         dropped_goal_blocked=sum(drop.reason == "goal_blocked" for drop in drops),

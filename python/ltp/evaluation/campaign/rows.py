@@ -71,7 +71,7 @@ class FlightRow:
 
     @property
     def completed(self) -> bool:
-        """Whether it came to its end and reached a waypoint: the others were dropped on proof."""
+        """Whether it came to its end and reached a waypoint; `dropped`, `too_far`: the others."""
         return self.outcome == "reached"
 
     @property

@@ -48,6 +48,7 @@ class Summary:
     dropped: int  # waypoints, of all flights together
     wrongly_dropped: int  # see `FlightRow`
     wrongly_dropped_fine: int | None  # the same; None if it was not judged
+    too_far: int  # waypoints skipped as too far: no proof, so they are not among those dropped
     mean_priority: Spread
     length_ratio: Spread
     path_distance: Spread | None  # mean distance from the global path [m]; None: not in the rows
@@ -104,6 +105,7 @@ def _summary(variant: Variant, mine: Sequence[FlightRow], averaged: Sequence[Fli
         dropped=sum(row.dropped for row in mine),
         wrongly_dropped=sum(row.wrongly_dropped for row in mine),
         wrongly_dropped_fine=None if None in fine else sum(count or 0 for count in fine),
+        too_far=sum(row.too_far for row in mine),
         mean_priority=Spread.of([row.mean_priority for row in averaged]),
         length_ratio=Spread.of([row.length_ratio for row in averaged]),
         path_distance=Spread.of(away) if measured else None,

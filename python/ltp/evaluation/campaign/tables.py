@@ -59,12 +59,17 @@ def markdown_table(summaries: Sequence[Summary]) -> str:
 
 
 def averaged_over(summaries: Sequence[Summary]) -> str:
-    """Which flights the means of a table are over, in a sentence."""
+    """Which flights the means of a table are over, and how many waypoints were too far."""
     whole = [summary for summary in summaries if not summary.timed_out_only]
     common, most = whole[0].common, max(summary.flights for summary in whole)
-    if len(whole) == 1:
-        return f"P and L are means over the {common} of {most} flights that came to their end."
-    return f"P and L are means over the {common} of {most} paths that all rows flew to the end."
+    what = (
+        "flights that came to their end"
+        if len(whole) == 1
+        else "paths that all rows flew to the end"
+    )
+    text = f"P and L are means over the {common} of {most} {what}."
+    too_far = sum(summary.too_far for summary in whole)
+    return text + (f" Waypoints skipped as too far: {too_far}." if too_far else "")
 
 
 def brief_cells(
@@ -172,6 +177,7 @@ _COLUMNS = (
     _Column("95 % ms", lambda s: _time(s.time_p95)),
     _Column("completed", lambda s: f"{s.completed}/{s.flights}"),
     _Column("waypoints dropped (wrongly, at 0.5 m)", _dropped),
+    _Column("too far", lambda s: str(s.too_far)),
     _Column("collisions", lambda s: str(s.collisions)),
     _Column("smallest clearance [m]", lambda s: _spread(Spread(s.min_clearance, math.nan))),
 )
@@ -223,6 +229,7 @@ _CSV_COLUMNS: dict[str, Callable[[Summary], object]] = {
     "dropped": lambda s: s.dropped,
     "wrongly_dropped": lambda s: s.wrongly_dropped,
     "wrongly_dropped_fine": lambda s: s.wrongly_dropped_fine,
+    "too_far": lambda s: s.too_far,
     "min_clearance": lambda s: s.min_clearance,
     "plans": lambda s: s.plans,
     "time_plan_mean_ms": lambda s: s.time_mean,

@@ -174,24 +174,16 @@ def sweep_figure(rows: Sequence[FlightRow], attribution: str) -> "Figure":
 
 
 def draw_drops(axes: "Axes", records: Sequence[FlightRecord]) -> None:
-    """Crosses on the waypoints that any of the flights dropped as unreachable."""
-    drops = {event.index: event.goal for r in records for event in r.waypoints if _dropped(event)}
-    if not drops:
-        return
-    goals = np.array(list(drops.values()))
-    style: dict[str, Any] = {
-        "marker": "X",
-        "s": 95,
-        "color": "#fff200",
-        "edgecolor": "#1a1d22",
-        "lw": 1.1,
-    }
-    label = "waypoint proved unreachable"
-    axes.scatter(goals[:, 0], goals[:, 1], zorder=7, label=label, **style)
-
-
-def _dropped(event: object) -> bool:
-    return getattr(event, "outcome", "") == "dropped"
+    """Marks on the waypoints that any of the flights dropped as unreachable, or found too far."""
+    style: dict[str, Any] = {"color": "#fff200", "edgecolor": "#1a1d22", "lw": 1.1, "zorder": 7}
+    for fate, label, marker, size in (
+        ("dropped", "waypoint proved unreachable", "X", 95),
+        ("skipped", "waypoint too far", "D", 45),
+    ):
+        entries = [entry for r in records for entry in r.waypoints if entry.outcome == fate]
+        if entries:
+            goals = np.array([entry.goal for entry in {e.index: e for e in entries}.values()])
+            axes.scatter(goals[:, 0], goals[:, 1], marker=marker, s=size, label=label, **style)
 
 
 def _weight_label(record: FlightRecord) -> str:

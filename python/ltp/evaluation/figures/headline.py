@@ -32,7 +32,12 @@ def headline(world: World, records: Sequence[FlightRecord]) -> str:
     crosses = HeightSurface(world.surface_raster()).first_collision(records[0].global_path)
     way = "Flown to the end" if crosses is None else "Round the buildings on the global path"
     most = f"{'up to ' * (min(drops) < max(drops))}{max(drops)} of {count}"
-    return way + (f"; {most} waypoints out of reach" if max(drops) else "")
+    far = [len(record.skipped) for record in records]
+    return (
+        way
+        + (f"; {most} waypoints out of reach" if max(drops) else "")
+        + (f"; {'up to ' * (min(far) < max(far))}{max(far)} too far" if max(far) else "")
+    )
 
 
 def record_title(record: FlightRecord) -> str:

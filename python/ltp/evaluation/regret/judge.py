@@ -76,7 +76,7 @@ class RegretJudge:
         """
         config = record.config
         flown_gates = asked_gates(config)
-        served = [entry for entry in record.waypoints if entry.outcome == "reached"]
+        served = record.reached
         waypoints = np.array([entry.goal for entry in served])
         last = served_radius(config)
         setup = MissionSetup.of(self._world, config, record.global_path, self._priority)

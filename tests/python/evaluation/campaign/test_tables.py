@@ -144,7 +144,7 @@ def test_the_best_values_are_marked() -> None:
     rows += flights(TABLE_I[6], [0.4], length_ratio=1.054, time_plans="3")
     text = markdown_table(summarise([TABLE_I[i] for i in (0, 1, 6)], rows))
     assert re.findall(r"\*\*(.*?)\*\*", text) == ["1.05", "0.80", "1.05", "3.00"]
-    assert {line.count("|") for line in text.splitlines()} - {0} == {18}
+    assert {line.count("|") for line in text.splitlines()} - {0} == {19}
     alone = markdown_table(summarise([TABLE_I[0]], rows))
     assert "**" not in alone  # nothing to compare with
 
@@ -191,6 +191,18 @@ def test_two_worlds_do_not_mix() -> None:
     rows = [row(), row(world="elsewhere")]
     with pytest.raises(ValueError, match="boxes, elsewhere"):
         summarise([DIJKSTRA], rows)
+
+
+def test_what_was_too_far_stands_beside_what_was_dropped() -> None:
+    rows = flights(DIJKSTRA, [0.5, 0.7], dropped=2, too_far=3)
+    (summary,) = summarise([DIJKSTRA], rows)
+    assert (summary.dropped, summary.too_far) == (4, 6)
+    titles, lines = table_cells([summary])
+    assert lines[0][titles.index("too far")] == ("6", False)
+    assert "Waypoints skipped as too far: 6." in markdown_table([summary])
+    assert "too far:" not in markdown_table(summarise([DIJKSTRA], flights(DIJKSTRA, [0.5])))
+    header, line = csv_table([summary]).splitlines()
+    assert dict(zip(header.split(","), line.split(","), strict=True))["too_far"] == "6"
 
 
 def test_too_few_values_have_no_spread() -> None:

@@ -78,6 +78,19 @@ def test_flown_paths_over_surface_and_priority(flown, tmp_path: Path) -> None:
     assert pixels.std() > 0.1 and min(pixels.shape[:2]) > 600
 
 
+def test_a_waypoint_too_far_is_not_marked_as_proved_unreachable(flown) -> None:
+    record, _, _, setup = flown
+    fates = [event(0, "dropped", "unreachable"), event(1, "skipped", "too_far")]
+    both = texts(
+        flown_paths_figure(
+            setup.world, [dataclasses.replace(record, waypoints=fates)], setup.priority
+        )
+    )
+    assert "waypoint proved unreachable" in both and "waypoint too far" in both
+    far = dataclasses.replace(record, waypoints=fates[1:])
+    assert "proved" not in texts(flown_paths_figure(setup.world, [far], setup.priority))
+
+
 def test_the_same_figure_gives_the_same_bytes(flown, tmp_path: Path) -> None:
     record, _, trace, setup = flown
     for name in ("a.png", "b.png", "a.svg", "a.pdf"):
@@ -250,6 +263,8 @@ def test_the_headline_says_what_happened(flown) -> None:
     assert said({}, {"waypoints": drops[:1]}).endswith(
         f"; up to 1 of {len(drops)} waypoints out of reach"
     )
+    far = [event(9, "skipped", "too_far")]
+    assert said({"waypoints": far}) == "Round the buildings on the global path; 1 too far"
     over = record.global_path + np.array([0.0, 0.0, 100.0])
     assert said({"global_path": over}) == "Flown to the end"
 
