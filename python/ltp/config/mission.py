@@ -73,7 +73,7 @@ class MissionConfig:
     step: Annotated[float, "of the simulation: scan, plan and move at 10 Hz [s]"] = 0.1
     time_limit_factor: Annotated[
         float, "a flight may take so many times as long as the global path takes at full speed"
-    ] = 5.0
+    ] = 10.0
     hold_limit: Annotated[
         float, "after holding so long without a path the flight has timed out [s]"
     ] = 30.0
