@@ -38,7 +38,7 @@ def regret_figure(rows: Sequence[RegretRow], attribution: str) -> "Figure":
     summaries = [summary for summary in summarise_regrets(rows) if summary.counted]
     if not summaries:
         raise ValueError("the rows hold no flight that came to its end and has routes to compare")
-    width, height = 11.4, 2.5 + 0.62 * len(summaries)
+    width, height = 11.4, 2.5 + 0.72 * len(summaries)
     figure = Figure(figsize=(width, height), facecolor="white")
     left, right = figure.subplots(1, 2, sharey=True)
     figure.subplots_adjust(
@@ -64,6 +64,7 @@ def regret_figure(rows: Sequence[RegretRow], attribution: str) -> "Figure":
     right.set_xlabel("regret: flown less jointly", color=INK)
     right.legend(loc="lower left", bbox_to_anchor=(-0.02, 0.985), ncols=2, **_LEGEND)
     for axes in (left, right):
+        axes.locator_params(axis="x", nbins=6)
         axes.grid(axis="x", color="#e6e8ec", lw=0.8)
         axes.set_axisbelow(True)
         plain_axes(axes)
@@ -103,6 +104,6 @@ def _belongs(row: RegretRow, summary: RegretSummary) -> bool:
 def _label(summary: RegretSummary) -> str:
     variant = summary.variant
     return (
-        f"{variant.contender.title}, {summary.gating.title}\n"
+        f"{variant.contender.title}\n{summary.gating.title}\n"
         f"{MAP_NAMES[variant.priority_map]}, W_P/W_L = {variant.ratio:g}"
     )

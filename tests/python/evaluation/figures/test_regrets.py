@@ -19,6 +19,7 @@ def test_every_flight_is_a_dot(tmp_path: Path) -> None:
     rows += [regret_row(planner="sweep", scenario=6, outcome="timed_out", flown=9.0)]
     figure = regret_figure(rows, ATTRIBUTION)
     written = "\n".join(text.get_text() for text in figure.findobj(Text))
+    assert "exact waypoints" in written
     assert "Auto" in written and "Sweep" in written and ATTRIBUTION in written
     dots = [line.get_xdata() for line in figure.axes[1].lines if len(line.get_xdata()) == 6]
     np.testing.assert_allclose(dots[0], 0.1 + 0.05 * np.arange(6))
