@@ -19,6 +19,7 @@ class FlightLog:
     """Remembers what happened; knows nothing of why."""
 
     _setup: MissionSetup  # since the start
+    _gate_radii: NDArray[np.float64]  # of the waypoints that are flown [m]
 
     def __init__(self) -> None:
         self._times: list[float] = []
@@ -50,7 +51,10 @@ class FlightLog:
             self._map = step.map
         before = self._before
         self._plans += [PlanEntry.of(answer, step.time, before) for answer in step.plans]
-        self.waypoints += [WaypointEntry.of(event, step.time, before) for event in step.events]
+        self.waypoints += [
+            WaypointEntry.of(event, step.time, before, float(self._gate_radii[event.index]))
+            for event in step.events
+        ]
         self._times.append(step.time)
         self._positions.append(step.position)
         self._velocities.append(step.velocity)
@@ -63,6 +67,7 @@ class FlightLog:
     def _take_up(self, waypoints: NDArray[np.float64]) -> None:
         """The global path goes on along other waypoints; those not come to are no part of it."""
         self._given, self._before = waypoints, len(self.waypoints)
+        self._gate_radii = self._setup.gate_radii(waypoints)
         flown = np.array([entry.goal for entry in self.waypoints]).reshape(-1, 3)
         self._global_path = np.concatenate([self._setup.global_path[:1], flown, waypoints])
 

@@ -60,6 +60,7 @@ class WaypointEntry:
     position: tuple[float, float, float]  # of the UAV
     goal: tuple[float, float, float]  # the waypoint
     window_origin: tuple[float, float, float]  # lowest corner of the map's window
+    gate_radius: float = 0.0  # of the gate it was to be served in; 0: a point, or not recorded
 
     @property
     def distance(self) -> float:
@@ -73,7 +74,9 @@ class WaypointEntry:
         return known.text if known is not None else self.reason.replace("_", " ")
 
     @classmethod
-    def of(cls, event: WaypointEvent, time: float, before: int = 0) -> Self:
+    def of(
+        cls, event: WaypointEvent, time: float, before: int = 0, gate_radius: float = 0.0
+    ) -> Self:
         """An event of the planner's at a time [s]; before: waypoints that it no longer counts."""
         return cls(
             index=before + event.index,
@@ -83,6 +86,7 @@ class WaypointEntry:
             position=_point(event.position),
             goal=_point(event.goal),
             window_origin=_point(event.window_origin),
+            gate_radius=gate_radius,
         )
 
 

@@ -153,6 +153,15 @@ class MissionSetup:
         gates[-1] = 0.0
         return gates
 
+    def gate_radii(self, waypoints: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Radius of the gate of each of the waypoints (n, 3), (n,) [m]; 0: a point."""
+        given = self.gates(waypoints)
+        if len(given):
+            return np.asarray(given[:, 0])
+        radii = np.full(len(waypoints), self.config.navigation.gate_radius)
+        radii[-1:] = 0.0
+        return radii
+
     def first_touch(
         self, before: NDArray[np.float64], after: NDArray[np.float64]
     ) -> tuple[float, float, float] | None:

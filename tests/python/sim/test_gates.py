@@ -50,6 +50,11 @@ def test_wider_gates_make_shorter_flights(world: World) -> None:
     )
     assert point.complete and five.complete and camera.complete
     assert camera.length < five.length < point.length
+    # The record says in which gate, and from how near.
+    assert [entry.gate_radius for entry in point.waypoints] == [0.0] * 3
+    assert [entry.gate_radius for entry in five.waypoints] == [8.0, 8.0, 0.0]
+    assert all(entry.distance <= entry.gate_radius for entry in five.waypoints[:2])
+    assert five.waypoints[0].distance > point.waypoints[0].distance
     joint = config(gate="camera")
     joint.navigation.horizon = 3
     assert ltp.fly(world, joint, flat).length < camera.length

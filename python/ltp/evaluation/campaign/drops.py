@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`DropJudge`: which dropped waypoints the true world has a way to, by coarse and by fine cells."""
 
+import numpy as np
+
 from ltp.config import MissionConfig
 from ltp.sim.record import FlightRecord, WaypointEntry
 from ltp.world import World
 
+from ..served import served_radius
 from .fine_cells import FineCells
 from .reachability import TrueCells
 
@@ -31,7 +34,8 @@ class DropJudge:
         For each drop, a flood over the cells that the solid world itself blocks (the same lattice,
         inflation and altitude band as the mission's map, but the whole world instead of the window,
         and all of its surface instead of what was sensed) from where the UAV was. If it reaches the
-        waypoint's cell, the map or the search dropped it wrongly.
+        waypoint's cell, or a cell of its gate that was to be planned to (half a cell smaller than
+        the gate), the map or the search dropped it wrongly.
 
         Raises:
             ValueError: if the map's window was not on the lattice of the cells.
@@ -45,16 +49,23 @@ class DropJudge:
                     f"window_origin {drop.window_origin} is not on the world's lattice"
                 )
         bands = [_band_of(drop, record) for drop in record.dropped]
+        half = 0.5 * float(np.hypot(*self._mapping.cell[:2]))
         return [
             drop
             for drop, (below, above) in zip(record.dropped, bands, strict=True)
-            if self._coarse.reachable(drop.position, drop.goal, below=below, above=above)
+            if self._coarse.reachable(
+                drop.position,
+                drop.goal,
+                below=below,
+                above=above,
+                radius=max(0.0, _gate_radius(record, drop) - half),
+            )
         ]
 
     def wrong_by_fine_cells(self, record: FlightRecord) -> list[WaypointEntry]:
         """The dropped waypoints to which the vehicle fits through the true world: see `FineCells`.
 
-        What the map's cells are too coarse for counts here too.
+        Or into whose gate. What the map's cells are too coarse for counts here too.
         """
         if not record.dropped:
             return []
@@ -62,10 +73,20 @@ class DropJudge:
         return [
             drop
             for drop in record.dropped
-            if self._fine.reachable(drop.position, drop.goal, above=_band_of(drop, record)[1])
+            if self._fine.reachable(
+                drop.position,
+                drop.goal,
+                above=_band_of(drop, record)[1],
+                radius=_gate_radius(record, drop),
+            )
         ]
 
 
 def _band_of(drop: WaypointEntry, record: FlightRecord) -> tuple[float, float]:
     """(below, above): how far a way from the UAV to a waypoint could leave their altitudes [m]."""
     return record.config.navigation.band_from(drop.position[2], drop.goal[2])
+
+
+def _gate_radius(record: FlightRecord, drop: WaypointEntry) -> float:
+    """Of a waypoint's gate [m]; 0 where the gate is no wider than a point is served from."""
+    return drop.gate_radius if drop.gate_radius > served_radius(record.config) else 0.0

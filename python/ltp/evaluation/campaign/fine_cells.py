@@ -48,26 +48,46 @@ class FineCells:
         self._dims = np.ceil((np.array([x1, y1]) + margin - self._corner) / self.cell).astype(int)
         self._levels: dict[int, _Level] = {}  # the last ones asked about
 
-    def reachable(self, start: ArrayLike, goal: ArrayLike, *, above: float = math.inf) -> bool:
+    def reachable(
+        self,
+        start: ArrayLike,
+        goal: ArrayLike,
+        *,
+        above: float = math.inf,
+        radius: float = 0.0,
+    ) -> bool:
         """Whether the vehicle can go from `start` to `goal` (3,) [m], at most `above` [m] over the
-        higher one.
+        higher one; with a radius [m], to a point at the goal's height that is that near to it.
 
         A start that is nearer to something than the radius counts as the cell above it, at the top
         of the band; if that is blocked too it reaches nothing.
         """
         ends = np.array([start, goal], dtype=np.float64)
         first, last = (self._cell_of(end) for end in ends)
-        if not self._free(ends[1, 2], last, last + 1).all():
+        goals = self._around(ends[1], last, radius)
+        if not len(goals):
             return False
         top = min(ends[:, 2].max() + above, self._top + self._radius + self.cell)
         z = max(top, float(ends[:, 2].max()))
-        low = np.maximum(np.minimum(first, last) - _LOOK, 0)
-        high = np.minimum(np.maximum(first, last) + _LOOK + 1, self._dims)
+        low = np.maximum(np.minimum(first, goals.min(axis=0)) - _LOOK, 0)
+        high = np.minimum(np.maximum(first, goals.max(axis=0)) + _LOOK + 1, self._dims)
         if 4 * np.prod(high - low) < np.prod(self._dims):
             near = _Level.of(self._free(z, low, high))
-            if near.joins(first - low, last - low):
+            if near.joins(first - low, goals - low):
                 return True
-        return self._world(z).joins(first, last)
+        return self._world(z).joins(first, goals)
+
+    def _around(
+        self, point: NDArray[np.float64], cell: NDArray[np.int64], radius: float
+    ) -> NDArray[np.int64]:
+        """The free cells (n, 2) at a point's height whose centres are within the radius, or its
+        own."""
+        reach = math.ceil(radius / self.cell)
+        low, high = np.maximum(cell - reach, 1), np.minimum(cell + reach + 1, self._dims - 1)
+        found = np.argwhere(self._free(point[2], low, high)) + low
+        centres = self._corner + (found + 0.5) * self.cell
+        near = np.linalg.norm(centres - point[:2], axis=1) <= radius
+        return np.asarray(found[near | np.all(found == cell, axis=1)])
 
     def _cell_of(self, point: NDArray[np.float64]) -> NDArray[np.int64]:
         """Beyond the ring everything is as free as the ring."""
@@ -111,10 +131,10 @@ class _Level:
         free[[0, -1]], free[:, [0, -1]] = False, False
         return _Level(free, np.zeros(free.shape, dtype=np.int32))
 
-    def joins(self, first: NDArray[np.int64], last: NDArray[np.int64]) -> bool:
-        """Whether a walk leads from one cell to the other."""
-        one, other = (self._component((int(i), int(j))) for i, j in (first, last))
-        return one == other != 0
+    def joins(self, first: NDArray[np.int64], goals: NDArray[np.int64]) -> bool:
+        """Whether a walk leads from a cell (2,) to one of others (n, 2)."""
+        component = self._component((int(first[0]), int(first[1])))
+        return component != 0 and bool(np.any(self.labels[tuple(goals.T)] == component))
 
     def _component(self, cell: tuple[int, int]) -> int:
         """The number of the component that a cell is in; 0 if it is blocked."""

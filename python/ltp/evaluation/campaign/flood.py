@@ -8,20 +8,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 
-def connected(free: NDArray[np.bool_], start: NDArray[np.int64], goal: NDArray[np.int64]) -> bool:
-    """Two floods, one from each end; the one with the smaller front advances.
+def connected(free: NDArray[np.bool_], start: NDArray[np.int64], goals: NDArray[np.int64]) -> bool:
+    """Whether a walk leads from a cell (3,) to one of others (n, 3), all of them free.
 
-    The step rule reads the same in both directions, so they may meet half way. A goal in a small
-    yard is settled by filling the yard.
+    Two floods, one from each end; the one with the smaller front advances. The step rule reads the
+    same in both directions, so they may meet half way. A goal in a small yard is settled by filling
+    the yard.
     """
     cells = free.reshape(-1)
-    ends = [int(np.ravel_multi_index(tuple(end + 1), free.shape)) for end in (start, goal)]
-    if ends[0] == ends[1]:
+    ends = (start[None], goals)
+    fronts = [np.ravel_multi_index(tuple((end + 1).T), free.shape) for end in ends]
+    if np.isin(fronts[0], fronts[1]).any():
         return True
     steps = step_boxes(free.shape)
     reached = np.zeros(cells.shape, dtype=np.uint8)
-    reached[ends] = (1, 2)
-    fronts = [np.array([end]) for end in ends]
+    for mark, front in enumerate(fronts, start=1):
+        reached[front] = mark
     while all(len(front) for front in fronts):
         side = int(len(fronts[1]) < len(fronts[0]))
         mine, other = side + 1, 2 - side

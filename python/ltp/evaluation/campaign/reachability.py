@@ -44,9 +44,18 @@ class TrueCells:
         return bool(np.all(np.abs(steps - np.round(steps)) < 1e-6))
 
     def reachable(
-        self, start: ArrayLike, goal: ArrayLike, *, below: float = math.inf, above: float = math.inf
+        self,
+        start: ArrayLike,
+        goal: ArrayLike,
+        *,
+        below: float = math.inf,
+        above: float = math.inf,
+        radius: float = 0.0,
     ) -> bool:
         """Whether a walk from cell to cell leads from `start` to `goal`.
+
+        Or, with a radius [m], to one of the cells of the goal's level whose centres are that near
+        to it.
 
         A step goes to one of the 26 neighbours and needs every cell of its bounding box free: the
         planners' rule against cutting corners. Levels reach from `below` [m] under the lower of
@@ -65,7 +74,9 @@ class TrueCells:
         # Beyond the ring everything is as free as the ring.
         cells[:, :2] = np.clip(cells[:, :2], 0, np.array(self._dims[:2]) - 1)
         cells[:, 2] = np.clip(cells[:, 2], low, high) - low
-        if not free[tuple(cells[1] + 1)]:
+        goals = self._around(ends[1], cells[1], radius)
+        goals = goals[free[tuple((goals + 1).T)]]
+        if not len(goals):
             return False
         seed = cells[0]
         if not free[tuple(seed + 1)]:
@@ -73,7 +84,21 @@ class TrueCells:
             if way_out is None:
                 return False
             seed = way_out
-        return connected(free, seed, cells[1])
+        return connected(free, seed, goals)
+
+    def _around(
+        self, point: NDArray[np.float64], cell: NDArray[np.int64], radius: float
+    ) -> NDArray[np.int64]:
+        """The cells of a point's level whose centres are within the radius [m], and its own."""
+        reach = np.ceil(radius / self._cell[:2]).astype(np.int64)
+        low = np.maximum(cell[:2] - reach, 0)
+        high = np.minimum(cell[:2] + reach + 1, np.array(self._dims[:2]))
+        found = np.mgrid[low[0] : high[0], low[1] : high[1]].reshape(2, -1).T
+        centres = self._origin[:2] + (found + 0.5) * self._cell[:2]
+        near = np.linalg.norm(centres - point[:2], axis=1) <= radius
+        near |= np.all(found == cell[:2], axis=1)
+        levels = np.full((np.count_nonzero(near), 1), cell[2])
+        return np.concatenate([found[near], levels], axis=1)
 
     def _way_out(
         self, free: NDArray[np.bool_], start: NDArray[np.float64], low: int

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Regret: what was flown against what one could have flown knowing all obstacles."""
 
-from .judge import RegretJudge, check_gate, gates_of, served_radius
+from .judge import RegretJudge, check_gate, gates_of
 from .regret import TABLE, RegretObserver, run_regret
 from .rows import RegretRow, read_regrets
 
@@ -15,5 +15,4 @@ __all__ = [
     "gates_of",
     "read_regrets",
     "run_regret",
-    "served_radius",
 ]

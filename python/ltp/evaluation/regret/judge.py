@@ -18,25 +18,16 @@ from ltp.world import World
 from ..campaign.metrics import flown_penalty
 from ..campaign.rows import FlightRow
 from ..campaign.true_grid import true_grid
+from ..served import served_radius
 from .gating import asked_gates, radius_text
 from .routes import KnownGround
 from .rows import RegretRow
 from .slopes import Best, Route
 
 
-def served_radius(config: MissionConfig) -> float:
-    """Within which horizontal distance a flight of these settings serves its waypoints [m]."""
-    return config.navigation.reach_distance or float(np.hypot(*config.mapping.cell[:2]))
-
-
 def gates_of(setup: MissionSetup) -> NDArray[np.float64]:
     """The same of each waypoint of a mission, (n,) [m]: its gate where that is wider."""
-    options, waypoints = setup.config.navigation, setup.waypoints
-    given = setup.gates(waypoints)
-    radii = given[:, 0] if len(given) else np.full(len(waypoints), options.gate_radius)
-    if not len(given):
-        radii[-1:] = 0.0
-    return np.maximum(radii, served_radius(setup.config))
+    return np.maximum(setup.gate_radii(setup.waypoints), served_radius(setup.config))
 
 
 def check_gate(gate: float | None) -> None:

@@ -21,6 +21,7 @@ from ltp.evaluation.campaign.metrics import (
 )
 from ltp.evaluation.campaign.reachability import TrueCells
 from ltp.evaluation.scenarios import Scenario
+from ltp.sim.record import WaypointEntry
 from ltp.world import World
 from tests.python.scenes import box_world, event, record
 
@@ -122,6 +123,52 @@ def test_wrong_drops_are_found_and_right_ones_left_alone() -> None:
     for wrong in (judge.wrong_by_the_maps_cells, judge.wrong_by_fine_cells):
         assert wrong(flight) == [open_field]
         assert wrong(record([reached])) == []
+
+
+def gated(drop: WaypointEntry, radius: float) -> WaypointEntry:
+    return dataclasses.replace(drop, gate_radius=radius)
+
+
+def test_a_drop_is_wrong_if_any_of_its_gate_can_be_reached() -> None:
+    # The point lies in the wall, 5 m from its outer face; the yard behind it is closed.
+    drop = event(0, "dropped", "unreachable", goal=(65.0, 80.0, 40.0), position=(20.0, 80.0, 40.0))
+    judge = DropJudge(courtyard(), record().config)
+    wrongs = (judge.wrong_by_the_maps_cells, judge.wrong_by_fine_cells)
+    for radius, wrong in ((0.0, False), (2.8, False), (4.0, False), (12.0, True)):
+        flight = record([gated(drop, radius)])
+        assert [bool(judged(flight)) for judged in wrongs] == [wrong, wrong], radius
+    # Amid the yard a gate of 12 m has free cells enough, but no way leads to any of them.
+    inside = event(
+        0, "dropped", "unreachable", goal=(90.0, 80.0, 40.0), position=(20.0, 80.0, 40.0)
+    )
+    assert all(judged(record([gated(inside, 12.0)])) == [] for judged in wrongs)
+    assert all(judged(record([gated(inside, 45.0)])) != [] for judged in wrongs)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_region_is_reachable_where_one_of_its_cells_is(seed: int) -> None:
+    world = random_world(seed)
+    cells, fine = TrueCells(world, MAPPING), FineCells(world, radius=1.0)
+    rng, answers = np.random.default_rng(seed), []
+    for _ in range(12):
+        start, goal = (np.array([*rng.uniform(20, 100, 2), 18.0]) for _ in range(2))
+        radius = float(rng.uniform(2.0, 7.0))
+        spots = {edge: spots_round(goal, radius, edge) for edge in (2.0, 0.5)}
+        one_by_one = any(cells.reachable(start, spot, above=0.0) for spot in spots[2.0])
+        assert cells.reachable(start, goal, above=0.0, radius=radius) == one_by_one
+        answers.append(one_by_one)
+        some = [spots[0.5][i] for i in rng.integers(len(spots[0.5]), size=10)]
+        if any(fine.reachable(start, spot, above=0.0) for spot in some):
+            assert fine.reachable(start, goal, above=0.0, radius=radius)
+    assert set(answers) == {True, False}
+
+
+def spots_round(goal: np.ndarray, radius: float, edge: float) -> list[np.ndarray]:
+    """A point, and the centres of the cells near it, at its height."""
+    first = np.floor((goal[:2] - radius) / edge)
+    found = [first + step for step in np.ndindex(2 * (math.ceil(2 * radius / edge) + 1,))]
+    centres = [np.array([*(edge * (cell + 0.5)), goal[2]]) for cell in found]
+    return [goal, *(c for c in centres if np.linalg.norm(c - goal) <= radius)]
 
 
 def test_the_fine_judge_sees_a_gap_that_the_maps_cells_close() -> None:

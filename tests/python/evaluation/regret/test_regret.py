@@ -19,11 +19,11 @@ from ltp.evaluation.regret import (
     gates_of,
     read_regrets,
     run_regret,
-    served_radius,
 )
 from ltp.evaluation.regret.gating import asked_gates
 from ltp.evaluation.regret.tables import markdown_regrets, summarise_regrets
 from ltp.evaluation.scenarios import Scenario
+from ltp.evaluation.served import served_radius
 from ltp.sim import MissionSetup
 from ltp.world import World
 from tests.python.scenes import box_world, regret_row
