@@ -53,7 +53,9 @@ def finer_preset(height: float, cell_height: float) -> str | None:
     if height >= _LEAST_CELLS * cell_height:
         return None
     heights = {
-        name: values["mapping"]["cell"][2] for name, values in PRESETS.items() if "mapping" in values
+        name: values["mapping"]["cell"][2]
+        for name, values in PRESETS.items()
+        if "mapping" in values
     }
     finer = [name for name in heights if heights[name] < cell_height]
     enough = [name for name in finer if height >= _LEAST_CELLS * heights[name]]

@@ -35,7 +35,7 @@ def test_what_is_set_already_keeps_its_value() -> None:
     config.use_preset("paper")
     assert config.navigation.climb == 0.0
     assert config.planner == "ggwp" and config.mapping.margin == 0.5
-    with pytest.raises(ValueError, match=r"preset = 'high': expected one of paper, fly, low, landing"):
+    with pytest.raises(ValueError, match=r"'high': expected one of paper, fly, low, landing"):
         config.use_preset("high")
 
 
