@@ -201,9 +201,9 @@ def _tell_finer_preset(
 
 
 def _fates(record: "FlightRecord") -> str:
-    """How many were reached and from how near, and what became of the others."""
+    """How many were reached and how near to, and what became of the others."""
     near = [entry.distance for entry in record.reached]
-    how_near = f" (from {min(near):.1f} to {max(near):.1f} m)" if near else ""
+    how_near = f" (within {max(near):.1f} m)" if near else ""
     left = len(record.global_path) - 1 - len(record.waypoints)
     others = {"dropped": len(record.dropped), "too far": len(record.skipped), "left": left}
     parts = [f"{len(near)} reached{how_near}"]

@@ -199,7 +199,7 @@ def test_the_summary_tells_what_was_too_far_and_what_the_map_lost(
     result = run("fly", world, *options)
     assert result.exit_code == 0, result.output
     said = " ".join(result.stdout.split())
-    assert "waypoints: 1 reached (from 2." in said and " m), 1 too far" in said
+    assert "waypoints: 1 reached (within 2." in said and " m), 1 too far" in said
     assert "waypoint 2 skipped at" in said
     assert "ltp: map: " in result.stderr and "outside the map's window" in result.stderr
     record = FlightRecord.load(tmp_path / "flight.npz")
