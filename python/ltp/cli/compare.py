@@ -33,6 +33,14 @@ def compare(
             "flown, the baseline being LP-Dijkstra, or else the first."
         ),
     ] = "",
+    against: Annotated[
+        Path | None,
+        typer.Option(
+            help="Another campaign's folder, the baseline: each planner is then held against "
+            "itself there, flown with other settings over the same global paths.",
+            show_default=False,
+        ),
+    ] = None,
     ratio: Ratio = 2.0,
     maps: Annotated[
         str,
@@ -42,40 +50,88 @@ def compare(
     ] = "",
     out: Annotated[Path | None, typer.Option(help="Markdown file to write too.")] = None,
 ) -> None:
-    """Compare planners closed loop, paired by global path.
+    """Compare planners, or settings, closed loop, paired by global path.
 
     Prints the mean difference (second less first) of the flown Eq. 5, of the length ratio, of the
     mean priority and of the mean distance from the global path with 95 % confidence intervals (BCa
     bootstrap, 10,000 seeded resamples).
     """
-    from ltp.evaluation.campaign.compare import (
-        compare_all,
-        flown_maps,
-        flown_planners,
-        markdown_comparisons,
-    )
+    from ltp.evaluation.campaign.compare import markdown_comparisons
 
-    rows, wanted = read_flights(flights), planner_names("--planners", planners)
-    kinds = map_names(maps)
+    rows, wanted, kinds = (
+        read_flights(flights),
+        planner_names("--planners", planners),
+        map_names(maps),
+    )
+    if against is None:
+        found = _of_planners(flights, rows, wanted, ratio, kinds)
+    else:
+        found = _of_settings(flights, rows, against, wanted, ratio, kinds)
+    for comparison in found:
+        _tell(comparison)
+    if out is not None:
+        write_text(markdown_comparisons(found), out)
+        tell("table", out)
+
+
+def _of_settings(
+    flights: Path,
+    rows: "list[FlightRow]",
+    against: Path,
+    wanted: list[str],
+    ratio: float,
+    kinds: list[str],
+) -> "list[Comparison]":
+    """Each planner against itself in the other campaign."""
+    from ltp.evaluation.campaign.compare import compare_campaigns, flown_maps
+
+    baseline = read_flights(against)
+    with naming(ratio="--ratio", planner="--planners"):
+        if not wanted:
+            both = {row.variant for row in rows} & {row.variant for row in baseline}
+            names = [
+                variant.contender.name
+                for variant in dict.fromkeys(row.variant for row in rows)
+                if variant in both and math.isclose(variant.ratio, ratio)
+            ]
+            wanted = list(dict.fromkeys(names))
+        common = [
+            kind
+            for kind in flown_maps(rows, wanted, ratio)
+            if kind in flown_maps(baseline, wanted, ratio)
+        ]
+        kinds = kinds or common
+    if not wanted or not kinds:
+        raise ValueError(
+            f"{flights} and {against} hold no planner that both flew over one map at --ratio "
+            f"{ratio:g}"
+        )
+    named = [path.resolve().name for path in (against, flights)]
+    if named[0] == named[1]:
+        named = [str(against), str(flights)]
+    return compare_campaigns({named[0]: baseline}, {named[1]: rows}, wanted, ratio, kinds)
+
+
+def _of_planners(
+    flights: Path, rows: "list[FlightRow]", wanted: list[str], ratio: float, kinds: list[str]
+) -> "list[Comparison]":
+    """The first planner against the others."""
+    from ltp.evaluation.campaign.compare import compare_all, flown_maps, flown_planners
+
     with naming(ratio="--ratio", planner="--planners"):
         if not wanted:
             wanted = flown_planners(rows, ratio, kinds)
             if len(wanted) < 2:
                 raise ValueError(_nothing_to_compare(flights, rows, ratio))
         elif len(wanted) < 2:
-            raise ValueError(f"--planners must name two planners or more, not {planners!r}")
+            raise ValueError(f"--planners must name two planners or more, not {wanted[0]!r}")
         kinds = kinds or flown_maps(rows, wanted, ratio)
     if not kinds:
         raise ValueError(
             f"{flights} holds no map flown by all of --planners {','.join(wanted)} at --ratio "
             f"{ratio:g}"
         )
-    found = compare_all(rows, wanted, ratio, kinds)
-    for comparison in found:
-        _tell(comparison)
-    if out is not None:
-        write_text(markdown_comparisons(found), out)
-        tell("table", out)
+    return compare_all(rows, wanted, ratio, kinds)
 
 
 def _nothing_to_compare(flights: Path, rows: "list[FlightRow]", ratio: float) -> str:

@@ -1,9 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The ltp authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two planners over the same flown scenarios, pair by pair: what differs, and how surely."""
+"""Two planners, or settings, over the same flown scenarios, pair by pair, and how surely."""
 
+import dataclasses
+import itertools
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..conditions import PRIORITY_MAPS
@@ -27,6 +29,7 @@ class FlownVariant:
 
     variant: Variant
     flights: dict[tuple[int, int], FlightRow]  # by seed and index of the scenario
+    campaign: str = ""  # its name, where flights of several are compared
 
     @property
     def name(self) -> str:
@@ -35,8 +38,9 @@ class FlownVariant:
 
     @property
     def title(self) -> str:
-        """Of its contender, for tables."""
-        return self.variant.contender.title
+        """Of its contender, for tables; and of its campaign where there are several."""
+        title = self.variant.contender.title
+        return f"{title} ({self.campaign})" if self.campaign else title
 
     @property
     def collisions(self) -> int:
@@ -118,6 +122,52 @@ def compare_all(
         for kind in priority_maps
         for other in others
     ]
+
+
+def compare_campaigns(
+    first: Mapping[str, Sequence[FlightRow]],
+    second: Mapping[str, Sequence[FlightRow]],
+    planners: Sequence[str],
+    ratio: float,
+    priority_maps: Sequence[str],
+) -> list[Comparison]:
+    """Each planner of the second campaign against itself in the first, map by map.
+
+    Args:
+        first: the baseline: its name -> its rows.
+        second: flown with other settings over the same global paths, likewise.
+        planners: names of contenders that both flew.
+        ratio: W_P / W_L.
+        priority_maps: that both were flown over.
+
+    Raises:
+        ValueError: if flights are missing, of another world, or not over the same global paths.
+    """
+    comparisons = []
+    for kind, planner in itertools.product(priority_maps, planners):
+        one, other = (
+            dataclasses.replace(pick(rows, planner, ratio, kind), campaign=name)
+            for campaign in (first, second)
+            for name, rows in campaign.items()
+        )
+        _check_same_paths(one, other)
+        comparisons.append(compare(one, other))
+    return comparisons
+
+
+def _check_same_paths(one: FlownVariant, other: FlownVariant) -> None:
+    """As far as the rows tell: the world, the waypoints and the length of the global path."""
+    for path in one.flights.keys() & other.flights.keys():
+        facts = [
+            (row.world, row.waypoints, f"{row.length / row.length_ratio:.4g}")
+            for row in (one.flights[path], other.flights[path])
+            if row.length_ratio > 0.0
+        ]
+        if len(set(facts)) > 1:
+            raise ValueError(
+                f"{one.campaign} and {other.campaign} were not flown over the same global paths: "
+                f"of path {path[1]} world, waypoints and length [m] are {facts[0]} and {facts[1]}"
+            )
 
 
 def flown_maps(rows: Iterable[FlightRow], planners: Sequence[str], ratio: float) -> list[str]:

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Paired comparisons: intervals against scipy's and against their promise; pairs by hand."""
 
+import dataclasses
 import inspect
 import math
 
@@ -12,6 +13,7 @@ from ltp.evaluation.campaign.bootstrap import mean_interval
 from ltp.evaluation.campaign.compare import (
     compare,
     compare_all,
+    compare_campaigns,
     flown_maps,
     flown_planners,
     markdown_comparisons,
@@ -114,3 +116,19 @@ def test_by_default_what_was_flown_is_compared_with_lp_dijkstra() -> None:
     assert flown_planners(rows, 2.0, ["lpf"]) == []
     assert flown_planners(rows, 5.0) == []
     assert flown_planners(rows[:2], 2.0) == []
+
+
+def test_settings_are_compared_planner_by_planner_over_the_same_paths() -> None:
+    points = [flight("auto", i, penalty=0.1 * i, length=550.0) for i in range(4)]
+    camera = [flight("auto", i, penalty=0.1 * i - 0.05, length=500.0) for i in range(4)]
+    for rows, ratio in ((points, 1.1), (camera, 1.0)):
+        rows[:] = [dataclasses.replace(row, length_ratio=ratio) for row in rows]
+    (found,) = compare_campaigns({"points": points}, {"camera": camera}, ["auto"], 2.0, ["binary"])
+    assert (found.baseline.title, found.challenger.title) == ("Auto (points)", "Auto (camera)")
+    assert found.differences["penalty"].mean == pytest.approx(-0.05)
+    assert (found.pairs, found.better, found.worse) == (4, 4, 0)
+    assert "| Auto (camera) – Auto (points) | binary | 4/4 |" in markdown_comparisons([found])
+    # The same numbers of scenarios, but of another length.
+    longer = [dataclasses.replace(row, length=row.length * 2) for row in camera]
+    with pytest.raises(ValueError, match="not flown over the same global paths"):
+        compare_campaigns({"a": points}, {"b": longer}, ["auto"], 2.0, ["binary"])
