@@ -193,7 +193,9 @@ def test_the_summary_tells_what_was_too_far_and_what_the_map_lost(
     world: str, tmp_path: Path
 ) -> None:
     config = tmp_path / "config.toml"
-    config.write_text("[navigation]\nmax_detour = 1.0\n[mapping]\ndims = [12, 12, 20]\n")
+    config.write_text(
+        "[navigation]\nmax_detour = 1.0\n[mapping]\ndims = [12, 12, 20]\nremember = false\n"
+    )
     waypoints = table(tmp_path / "points.csv", "20,65,30", "40,65,30", "130,65,30")
     options = ("--waypoints", waypoints, "--config", config, "--no-recording", "--out", tmp_path)
     result = run("fly", world, *options)

@@ -90,6 +90,7 @@ def test_what_the_map_lost_is_in_the_record() -> None:
     assert whole.map_totals["marked"] > 0 and whole.map_totals["outside"] == 0
     assert whole.map_losses == []
     config.mapping.dims = [10, 10, 20]
+    config.mapping.remember = False
     small = ltp.fly(make_world(surface), config, line((30, 70), (40, 70)))
     assert small.map_totals["outside"] > 0
     assert "hits lie outside the map's window of 20 m x 20 m" in small.map_losses[0]
