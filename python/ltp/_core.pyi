@@ -1904,7 +1904,7 @@ class WaypointEvent:
     """
     What became of a waypoint.
     """
-    __fields__: typing.ClassVar[tuple] = ('index', 'reached', 'reason', 'why', 'position', 'goal', 'distance', 'window_origin')
+    __fields__: typing.ClassVar[tuple] = ('index', 'reached', 'reason', 'why', 'position', 'goal', 'distance', 'window_origin', 'route')
     def __repr__(self) -> str:
         ...
     @property
@@ -1936,6 +1936,11 @@ class WaypointEvent:
     def reason(self) -> PlanStatus:
         """
         why it was dropped: GOAL_BLOCKED or UNREACHABLE, on proof; NONE_FOUND: it was too far
+        """
+    @property
+    def route(self) -> int:
+        """
+        counts the calls of `set_waypoints`: by which it was given, from 1
         """
     @property
     def why(self) -> NavigationReason:
@@ -1999,8 +2004,18 @@ class LocalTrajectoryPlanner:
         Adds a scan: where its rays began, (3,) or a Pose whose attitude turns the map's body box; where they hit and,
         for carving, where those without a return ended; world [m]. Clouds as ObstacleMap.insert takes them.
         """
-    def set_priority(self, priority: Raster) -> None:
-        ...
+    def set_planner(self, planner: str = 'auto', *, planner_options: PlannerOptions = ..., keep_if_within: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        Another planner, from the next update on. Map and waypoints stay.
+        keep_if_within: 0: the path is given up. Else it is kept, unless a new one is better by more than that by Eq. 5, from
+        where the UAV is, by the new priority and weights.
+        """
+    def set_priority(self, priority: Raster, keep_if_within: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        Another Raster in [0, 1], from the next update on.
+        keep_if_within: 0: the path is given up. Else it is kept, unless a new one is better by more than that by Eq. 5, from
+        where the UAV is, by the new priority and weights.
+        """
     def set_way_points(self, way_points: typing.Any) -> None:
         """
         The old name of `set_waypoints`.
@@ -2009,6 +2024,16 @@ class LocalTrajectoryPlanner:
         """
         Replaces what is left of the global path; (N, 3), world [m]. gates: (N, 2), radius and height in which each is served
         [m], 0: within `reach_distance`, one cell; default: those of the options.
+        """
+    def set_weights(self, weights: PenaltyWeights, keep_if_within: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        Other weights of Eq. 5, by the same planner made anew, from the next update on. Map and waypoints stay.
+        keep_if_within: 0: the path is given up. Else it is kept, unless a new one is better by more than that by Eq. 5, from
+        where the UAV is, by the new priority and weights.
+        """
+    def take_events(self) -> list[WaypointEvent]:
+        """
+        What became of waypoints, each told once: also of waypoints that were replaced since, see WaypointEvent.route.
         """
     def update(self, position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> NavigationStatus:
         """
@@ -2157,9 +2182,17 @@ class ConcurrentTrajectoryPlanner:
         """
         Adds a scan, as LocalTrajectoryPlanner does, and hands the map over to be planned on; the UAV is at its origin.
         """
-    def set_priority(self, priority: Raster) -> None:
+    def set_planner(self, planner: str = 'auto', *, planner_options: PlannerOptions = ..., keep_if_within: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
         """
-        Another Raster in [0, 1], from the next scan on; until then there is no path.
+        Another planner, from the next scan on. Map and waypoints stay.
+        keep_if_within: 0: the path is given up. Else it is kept, unless a new one is better by more than that by Eq. 5, from
+        where the UAV is, by the new priority and weights.
+        """
+    def set_priority(self, priority: Raster, keep_if_within: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        Another Raster in [0, 1], from the next scan on.
+        keep_if_within: 0: the path is given up. Else it is kept, unless a new one is better by more than that by Eq. 5, from
+        where the UAV is, by the new priority and weights.
         """
     def set_way_points(self, way_points: typing.Any) -> None:
         """
@@ -2170,6 +2203,12 @@ class ConcurrentTrajectoryPlanner:
         Replaces what is left of the global path from the next scan on; (N, 3), world [m].
         gates: as LocalTrajectoryPlanner's.
         """
+    def set_weights(self, weights: PenaltyWeights, keep_if_within: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        Other weights of Eq. 5, by the same planner made anew, from the next scan on. Map and waypoints stay.
+        keep_if_within: 0: the path is given up. Else it is kept, unless a new one is better by more than that by Eq. 5, from
+        where the UAV is, by the new priority and weights.
+        """
     def start(self) -> None:
         """
         Begins the planning thread.
@@ -2177,6 +2216,10 @@ class ConcurrentTrajectoryPlanner:
     def stop(self) -> None:
         """
         Ends the planning thread; interrupts a long search.
+        """
+    def take_events(self) -> list[WaypointEvent]:
+        """
+        What became of waypoints, each told once: also of waypoints that were replaced since, see WaypointEvent.route.
         """
     def wait(self, seconds: typing.SupportsFloat | typing.SupportsIndex = ...) -> bool:
         """

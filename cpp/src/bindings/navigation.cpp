@@ -8,15 +8,13 @@
 #include <limits>
 
 #include "bindings.hpp"
+#include "flying.hpp"
 #include "interrupt.hpp"
-#include "ltp/navigation/concurrent_trajectory_planner.hpp"
-#include "ltp/navigation/local_trajectory_planner.hpp"
-#include "ltp/planning/planners.hpp"
 
 namespace {
 
-using Ltp = ltp::LocalTrajectoryPlanner;
-using Concurrent = ltp::ConcurrentTrajectoryPlanner;
+using bindings::Concurrent;
+using bindings::Ltp;
 using Band = std::pair<double, double>;
 using FilePath = std::filesystem::path;
 
@@ -26,8 +24,29 @@ std::unique_ptr<Kind> make(const ltp::Raster& priority, const ltp::Point& positi
                            const ltp::ObstacleMapOptions& map_options,
                            const ltp::NavigationOptions& options) {
   ltp::check::finite("position", position);
-  return std::make_unique<Kind>(ltp::make_planner(planner, planner_options), map_options, options,
-                                priority, position);
+  return std::make_unique<Kind>(priority, position, planner, planner_options, map_options, options);
+}
+
+/// How a loop that flies is told to change its mind: alike for both, but for when it counts.
+template <typename Kind>
+void bind_changes(py::class_<Kind>& loop, const std::string& when) {
+  const std::string keeping =
+      "keep_if_within: 0: the path is given up. Else it is kept, unless a new one is better by "
+      "more than that by Eq. 5, from\nwhere the UAV is, by the new priority and weights.";
+  loop.def("set_priority", &Kind::set_priority, "priority"_a, "keep_if_within"_a = 0.0,
+           ("Another Raster in [0, 1], " + when + ".\n" + keeping).c_str())
+      .def("set_weights", &Kind::set_weights, "weights"_a, "keep_if_within"_a = 0.0,
+           ("Other weights of Eq. 5, by the same planner made anew, " + when +
+            ". Map and "
+            "waypoints stay.\n" +
+            keeping)
+               .c_str())
+      .def("set_planner", &Kind::remake_planner, "planner"_a = "auto", py::kw_only(),
+           "planner_options"_a = ltp::PlannerOptions{}, "keep_if_within"_a = 0.0,
+           ("Another planner, " + when + ". Map and waypoints stay.\n" + keeping).c_str())
+      .def("take_events", &Kind::take_events,
+           "What became of waypoints, each told once: also of waypoints that were replaced since, "
+           "see WaypointEvent.route.");
 }
 
 template <typename Kind>
@@ -79,12 +98,14 @@ void bind_concurrent(py::module_& m) {
       .result("plans", &ltp::Decision::plans, "the planner's answers when it was last asked")
       .result("plans_made", &ltp::Decision::plans_made, "since the beginning");
 
-  py::class_<Concurrent>(m, "ConcurrentTrajectoryPlanner",
-                         "A LocalTrajectoryPlanner whose scans never wait for a plan: it plans on "
-                         "a thread of its own, on snapshots of the\n"
-                         "map. Call it from one thread. If each scan is waited for, it decides as "
-                         "the LocalTrajectoryPlanner does.")
-      .def(py::init(&make<Concurrent>), "priority"_a, "position"_a, py::kw_only(),
+  py::class_<Concurrent> loop(
+      m, "ConcurrentTrajectoryPlanner",
+      "A LocalTrajectoryPlanner whose scans never wait for a plan: it plans on "
+      "a thread of its own, on snapshots of the\n"
+      "map. Call it from one thread. If each scan is waited for, it decides as "
+      "the LocalTrajectoryPlanner does.");
+  bind_changes(loop, "from the next scan on");
+  loop.def(py::init(&make<Concurrent>), "priority"_a, "position"_a, py::kw_only(),
            "planner"_a = "auto", "planner_options"_a = ltp::PlannerOptions{},
            "map_options"_a = ltp::ObstacleMapOptions{}, "options"_a = ltp::NavigationOptions{},
            "As a LocalTrajectoryPlanner's.")
@@ -92,8 +113,6 @@ void bind_concurrent(py::module_& m) {
            "gates"_a = ltp::GateSizes(0, 2),
            "Replaces what is left of the global path from the next scan on; (N, 3), world [m].\n"
            "gates: as LocalTrajectoryPlanner's.")
-      .def("set_priority", &Concurrent::set_priority, "priority"_a,
-           "Another Raster in [0, 1], from the next scan on; until then there is no path.")
       .def("sense", &sense<Concurrent>, "origin"_a, "hits"_a, "misses"_a = py::none(),
            "Adds a scan, as LocalTrajectoryPlanner does, and hands the map over to be planned on; "
            "the UAV is at its origin.")
@@ -211,7 +230,9 @@ void bind_results(py::module_& m) {
       .result("position", &ltp::WaypointEvent::position, "(3,), of the UAV [m]")
       .result("goal", &ltp::WaypointEvent::goal, "(3,), the waypoint [m]")
       .result("distance", &ltp::WaypointEvent::distance, "from the UAV to the waypoint [m]")
-      .result("window_origin", &ltp::WaypointEvent::window_origin, "(3,), of the map's window [m]");
+      .result("window_origin", &ltp::WaypointEvent::window_origin, "(3,), of the map's window [m]")
+      .result("route", &ltp::WaypointEvent::route,
+              "counts the calls of `set_waypoints`: by which it was given, from 1");
 
   Fields<ltp::PlanRecord>(m, "PlanRecord", "One answer of the planner.")
       .result("waypoint", &ltp::PlanRecord::waypoint, "for which it was asked")
@@ -221,11 +242,12 @@ void bind_results(py::module_& m) {
 }
 
 void bind_local(py::module_& m) {
-  py::class_<Ltp>(m, "LocalTrajectoryPlanner",
-                  "The loop that flies: waypoints, scans and poses in; plan and status out. "
-                  "Replans when the path is\n"
-                  "blocked, left, or its waypoint retired; drops a waypoint only on proof.")
-      .def(py::init(&make<Ltp>), "priority"_a, "position"_a, py::kw_only(), "planner"_a = "auto",
+  py::class_<Ltp> loop(m, "LocalTrajectoryPlanner",
+                       "The loop that flies: waypoints, scans and poses in; plan and status out. "
+                       "Replans when the path is\n"
+                       "blocked, left, or its waypoint retired; drops a waypoint only on proof.");
+  bind_changes(loop, "from the next update on");
+  loop.def(py::init(&make<Ltp>), "priority"_a, "position"_a, py::kw_only(), "planner"_a = "auto",
            "planner_options"_a = ltp::PlannerOptions{}, "map_options"_a = ltp::ObstacleMapOptions{},
            "options"_a = ltp::NavigationOptions{},
            "priority: Raster in [0, 1]. position: (3,) [m]. planner: one of `ltp.PLANNERS`.")
@@ -234,7 +256,6 @@ void bind_local(py::module_& m) {
            "height "
            "in which each is served\n"
            "[m], 0: within `reach_distance`, one cell; default: those of the options.")
-      .def("set_priority", &Ltp::set_priority, "priority"_a)
       .def("sense", &sense<Ltp>, "origin"_a, "hits"_a, "misses"_a = py::none(),
            "Adds a scan: where its rays began, (3,) or a Pose whose attitude turns the map's body "
            "box; where they hit and,\n"

@@ -4,8 +4,7 @@
 #include <string>
 
 #include "bindings.hpp"
-#include "ltp/navigation/concurrent_trajectory_planner.hpp"
-#include "ltp/navigation/local_trajectory_planner.hpp"
+#include "flying.hpp"
 #include "ltp/planning/planners.hpp"
 
 namespace {
@@ -82,11 +81,11 @@ void memory_widths() {
 }  // namespace
 
 void bind_old_names(py::module_&) {
-  set_way_points<ltp::LocalTrajectoryPlanner>();
-  attribute<ltp::LocalTrajectoryPlanner>("way_points", "waypoints");
-  attribute<ltp::LocalTrajectoryPlanner>("way_point_index", "waypoint_index");
-  set_way_points<ltp::ConcurrentTrajectoryPlanner>();
-  attribute<ltp::ConcurrentTrajectoryPlanner>("way_points", "waypoints");
+  set_way_points<bindings::Ltp>();
+  attribute<bindings::Ltp>("way_points", "waypoints");
+  attribute<bindings::Ltp>("way_point_index", "waypoint_index");
+  set_way_points<bindings::Concurrent>();
+  attribute<bindings::Concurrent>("way_points", "waypoints");
   attribute<ltp::Decision>("way_point_index", "waypoint_index");
   attribute<ltp::PlanRecord>("way_point", "waypoint");
   memory_widths();

@@ -21,8 +21,18 @@ ConcurrentTrajectoryPlanner::ConcurrentTrajectoryPlanner(std::unique_ptr<Planner
       navigator_(std::move(planner), options, std::move(priority), map_.occupied().frame(),
                  map_options.clearance(), position),
       known_(map_.blocked()),
-      snapshots_({0, 0, position, 0, 0, nullptr, map_.occupied(), map_.blocked(), 0, Path(0, 3),
-                  GateSizes(0, 2), 0, nullptr}),
+      snapshots_({0,
+                  0,
+                  position,
+                  0,
+                  0,
+                  nullptr,
+                  map_.occupied(),
+                  map_.blocked(),
+                  0,
+                  Path(0, 3),
+                  GateSizes(0, 2),
+                  {}}),
       decisions_({}) {}
 
 ConcurrentTrajectoryPlanner::~ConcurrentTrajectoryPlanner() { stop(); }
@@ -41,9 +51,25 @@ void ConcurrentTrajectoryPlanner::set_waypoints(const PathRef& waypoints,
   none_.events.clear();
 }
 
-void ConcurrentTrajectoryPlanner::set_priority(Raster priority) {
-  priority_ = std::make_shared<const Raster>(std::move(priority));
-  ++priority_number_;
+void ConcurrentTrajectoryPlanner::set_priority(Raster priority, double keep_if_within) {
+  check::not_negative("keep_if_within", keep_if_within);
+  aims_.priority = std::make_shared<const Raster>(std::move(priority));
+  change(keep_if_within);
+}
+
+void ConcurrentTrajectoryPlanner::set_planner(std::unique_ptr<Planner> planner,
+                                              double keep_if_within) {
+  check::not_negative("keep_if_within", keep_if_within);
+  if (!planner) check::fail("planner", "null", "a planner");
+  aims_.planner = std::move(planner);
+  change(keep_if_within);
+}
+
+void ConcurrentTrajectoryPlanner::change(double keep_if_within) {
+  ++aims_.changes;
+  aims_.keep_if_within = keep_if_within;
+  if (keep_if_within > 0.0) return;
+  aims_.given_up = aims_.changes;
   nothing_decided();
 }
 
@@ -53,8 +79,8 @@ void ConcurrentTrajectoryPlanner::nothing_decided() {
   none_.events = given_->events;
   none_.plans_made = given_->plans_made;
   none_.route = route_;
-  none_.priority = priority_number_;
-  none_.path_id = -(route_ + priority_number_);  // unlike any other
+  none_.changes = aims_.changes;
+  none_.path_id = -(route_ + aims_.changes);  // unlike any other
   given_ = &none_;
 }
 
@@ -106,8 +132,7 @@ void ConcurrentTrajectoryPlanner::hand_over() {
     snapshot.waypoints = waypoints_;
     snapshot.gates = gates_;
   }
-  snapshot.priority_number = priority_number_;
-  snapshot.priority = priority_;
+  snapshot.aims = aims_;
   snapshots_.publish();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -119,9 +144,14 @@ void ConcurrentTrajectoryPlanner::hand_over() {
 const Decision& ConcurrentTrajectoryPlanner::decision() {
   decisions_.take();
   const Decision& newest = decisions_.front();
-  const bool current = newest.route == route_ && newest.priority == priority_number_;
+  const bool current = newest.route == route_ && newest.changes >= aims_.given_up;
   given_ = current ? &newest : &none_;
   return *given_;
+}
+
+std::vector<WaypointEvent> ConcurrentTrajectoryPlanner::take_events() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(untaken_, {});
 }
 
 std::optional<double> ConcurrentTrajectoryPlanner::blocked_at() {
@@ -162,11 +192,14 @@ void ConcurrentTrajectoryPlanner::take_over(Snapshot& seen) {
   }
   std::swap(known_, seen.blocked);  // the slot's next value overwrites all of it
   if (std::exchange(known_route_, seen.route) != seen.route) {
-    navigator_.set_waypoints(seen.waypoints, seen.gates);
+    navigator_.set_waypoints(seen.waypoints, seen.gates, seen.route);
   }
-  if (std::exchange(known_priority_, seen.priority_number) != seen.priority_number) {
-    navigator_.set_priority(*seen.priority);
-  }
+  if (known_aims_.changes == seen.aims.changes) return;
+  const Aims old = std::exchange(known_aims_, seen.aims);
+  const bool gives_up = seen.aims.given_up > old.changes;
+  const double keep = gives_up ? 0.0 : seen.aims.keep_if_within;
+  if (seen.aims.planner != old.planner) navigator_.set_planner(seen.aims.planner, keep);
+  if (seen.aims.priority != old.priority) navigator_.set_priority(*seen.aims.priority, keep);
 }
 
 void ConcurrentTrajectoryPlanner::publish(const Snapshot& seen) {
@@ -183,10 +216,12 @@ void ConcurrentTrajectoryPlanner::publish(const Snapshot& seen) {
     out.plans = navigator_.plans();
   }
   out.route = known_route_;
-  out.priority = known_priority_;
+  out.changes = known_aims_.changes;
+  const std::vector<WaypointEvent> fresh = navigator_.take_events();
   decisions_.publish();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    untaken_.insert(untaken_.end(), fresh.begin(), fresh.end());
     decided_ = seen.number;
   }
   news_.notify_all();

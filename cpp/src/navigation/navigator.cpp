@@ -7,52 +7,19 @@
 #include <limits>
 #include <utility>
 
+#include "ltp/cost/penalty.hpp"
 #include "ltp/geometry/check.hpp"
 #include "ltp/geometry/norm.hpp"
 #include "ltp/geometry/polyline.hpp"
 #include "ltp/planning/grid_planner.hpp"
 #include "navigation/escape.hpp"
+#include "navigation/leg.hpp"
 #include "navigation/route.hpp"
 
 namespace ltp {
 namespace {
 
 double horizontal_diagonal(const GridFrame& frame) { return frame.cell().head<2>().norm(); }
-
-/// No path that leaves the window and comes back is shorter [m].
-double out_and_back(const GridFrame& window, const Query& query) {
-  const AltitudeRange altitudes = altitudes_of(query);
-  const auto to_face = [&](const Point& point) {
-    const Point low = point - window.origin();
-    const Point high = window.upper() - point;
-    double least = std::min(low.head<2>().minCoeff(), high.head<2>().minCoeff());
-    if (altitudes.lowest < window.origin().z()) least = std::min(least, low.z());
-    if (altitudes.highest > window.upper().z()) least = std::min(least, high.z());
-    return least;
-  };
-  const double into_gate = std::hypot(query.gate_radius, query.gate_height);
-  return to_face(query.start) + std::max(0.0, to_face(query.goal) - into_gate);
-}
-
-/// A query with the band that gives it these altitudes.
-Query over(const AltitudeRange& altitudes, Query query) {
-  query.band = {0.0, 0.0};
-  const AltitudeRange ends = altitudes_of(query);
-  query.band = {std::max(ends.lowest - altitudes.lowest, 0.0),
-                std::max(altitudes.highest - ends.highest, 0.0)};
-  return query;
-}
-
-double highest_waypoint(const Query& query) {
-  double highest = query.goal.z();
-  for (const Gate& gate : query.then) highest = std::max(highest, gate.point.z());
-  return highest;
-}
-
-/// Where a plan passes its first gate [m]; a planner that knows no gates leads there.
-double to_first_gate(const Plan& plan) {
-  return plan.passed.empty() ? plan.tally.length : plan.passed.front();
-}
 
 bool same_cell(const GridFrame& frame, const Point& a, const Point& b) {
   return frame.cell_of(a) == frame.cell_of(b);
@@ -82,7 +49,8 @@ Navigator::Navigator(std::unique_ptr<Planner> planner, const NavigationOptions& 
 Navigator::Navigator(Navigator&&) noexcept = default;
 Navigator::~Navigator() = default;
 
-void Navigator::set_waypoints(const PathRef& waypoints, const GateSizesRef& gates) {
+void Navigator::set_waypoints(const PathRef& waypoints, const GateSizesRef& gates,
+                              std::int64_t route) {
   for (Eigen::Index i = 0; i < waypoints.rows(); ++i) {
     check::finite("waypoints[" + std::to_string(i) + "]", Point(waypoints.row(i).transpose()));
   }
@@ -91,16 +59,40 @@ void Navigator::set_waypoints(const PathRef& waypoints, const GateSizesRef& gate
   next_ = 0;
   events_.clear();
   events_.reserve(waypoints.rows());
+  untaken_.reserve(untaken_.size() + waypoints.rows());
+  waypoints_given_ = route > 0 ? route : waypoints_given_ + 1;
   begin_leg();
   planned_on_ = kNoVersion;
   if (finished()) return finish();
   hold(NavigationReason::Undecided);
 }
 
-void Navigator::set_priority(Raster priority) {
+void Navigator::set_priority(Raster priority, double keep_if_within) {
+  check::not_negative("keep_if_within", keep_if_within);
   priority_ = std::move(priority);
-  give_up_path();  // it was made for the old one
-  planned_on_ = kNoVersion;
+  reconsider(keep_if_within);
+}
+
+void Navigator::set_planner(std::shared_ptr<Planner> planner, double keep_if_within) {
+  check::not_negative("keep_if_within", keep_if_within);
+  if (!planner) check::fail("planner", "null", "a planner");
+  planner_ = std::move(planner);
+  reconsider(keep_if_within);
+}
+
+void Navigator::reconsider(double keep_if_within) {
+  if (keep_if_within == 0.0 || path_.rows() == 0) {
+    give_up_path();
+    planned_on_ = kNoVersion;
+  } else if (status_ == NavigationStatus::Following) {
+    margin_ = keep_if_within;
+  }
+}
+
+std::vector<WaypointEvent> Navigator::take_events() {
+  std::vector<WaypointEvent> events = untaken_;
+  untaken_.clear();  // its room stays: an update allocates nothing
+  return events;
 }
 
 NavigationStatus Navigator::update(const MapView& map, const Point& position,
@@ -112,6 +104,8 @@ NavigationStatus Navigator::update(const MapView& map, const Point& position,
     finish();
   } else if (must_replan(map, position)) {
     replan(map, position, interrupted);
+  } else if (margin_) {
+    weigh(map, position, interrupted);
   }
   last_position_ = position;
   return status_;
@@ -131,7 +125,9 @@ void Navigator::retire(const MapView& map, NavigationReason why, const Point& po
                             : why == NavigationReason::TooFar      ? PlanStatus::NoneFound
                                                                    : PlanStatus::Found;
   events_.push_back({next_, why == NavigationReason::None, status, why, position, waypoint(next_),
-                     norm(waypoint(next_) - position), map.blocked.frame().origin()});
+                     norm(waypoint(next_) - position), map.blocked.frame().origin(),
+                     waypoints_given_});
+  untaken_.push_back(events_.back());
   ++next_;
   begin_leg();
 }
@@ -175,7 +171,32 @@ bool Navigator::must_replan(const MapView& map, const Point& position) {
   return map.blocked.first_blocked(path_, progress_).has_value();
 }
 
+/// Plans to where the path leads, through the same waypoints, and takes that up if it is better by
+/// more than the margin.
+void Navigator::weigh(const MapView& map, const Point& position,
+                      const std::function<bool()>& interrupted) {
+  const double margin = *std::exchange(margin_, std::nullopt);
+  plans_.clear();
+  recall(map);
+  Query query = stopover_ ? query_to(position, target_) : through_gates(position);
+  if (!stopover_) query.then.resize(std::min(query.then.size(), serves_ - 1));
+  const Plan& plan = ask(query, interrupted);
+  if (plan.status != PlanStatus::Found || leg::passes(plan) < serves_) return;
+  const Penalty penalty(planner_->weights(), direct_length(query));
+  const auto judged = [&](const Path& path) {
+    const Point end = path.row(path.rows() - 1).transpose();
+    return penalty(tally(path, priority_), priority_.at(end.x(), end.y()));
+  };
+  if (!(judged(plan.path) + margin < judged(leg::rest_of(path_, progress_, position)))) return;
+  if (stopover_) {
+    follow(NavigationStatus::Following, plan.path);
+  } else {
+    follow_through(plan);
+  }
+}
+
 void Navigator::give_up_path() {
+  margin_.reset();
   path_.resize(0, 3);
   ++path_id_;
 }
@@ -193,6 +214,8 @@ NavigationReason Navigator::follow(NavigationStatus status, const Path& path) {
                     path.colwise().maxCoeff().transpose() + half);
   progress_ = 0.0;
   served_at_ = std::numeric_limits<double>::infinity();
+  serves_ = 1;
+  margin_.reset();
   ++path_id_;
   return NavigationReason::None;
 }
@@ -200,7 +223,8 @@ NavigationReason Navigator::follow(NavigationStatus status, const Path& path) {
 /// Follows a plan through the next gates.
 NavigationReason Navigator::follow_through(const Plan& plan) {
   follow(NavigationStatus::Following, plan.path);
-  served_at_ = to_first_gate(plan);
+  served_at_ = leg::to_first_gate(plan);
+  serves_ = leg::passes(plan);
   return NavigationReason::None;
 }
 
@@ -253,16 +277,16 @@ void Navigator::recall(const MapView& map) {
 Query Navigator::through_gates(const Point& position) {
   Query query = gates_.query(position, next_, options_.horizon, options_.band);
   if (!altitudes_) {
-    query.band = options_.band_from(position.z(), highest_waypoint(query));
+    query.band = options_.band_from(position.z(), leg::highest_waypoint(query));
     altitudes_ = altitudes_of(query);
   }
-  return over(*altitudes_, query);
+  return leg::over(*altitudes_, query);
 }
 
 /// The same to a point.
 Query Navigator::query_to(const Point& position, const Point& goal) {
   if (!altitudes_) through_gates(position);
-  return over(*altitudes_, {position, goal});
+  return leg::over(*altitudes_, {position, goal});
 }
 
 const Plan& Navigator::ask(const Query& query, const std::function<bool()>& interrupted) {
@@ -283,7 +307,7 @@ NavigationReason Navigator::set_out(const Point& position,
   const Plan& plan = ask(query, interrupted);
   const bool matters = options_.max_detour > 0.0 || way_progress_.measured_on(memory_.version()) ||
                        plan.status != PlanStatus::Found ||
-                       to_first_gate(plan) > out_and_back(frame, query);
+                       leg::to_first_gate(plan) > leg::out_and_back(frame, query);
   if (matters) return take_route(query, &plan, interrupted);
   return follow_through(plan);
 }
@@ -309,7 +333,7 @@ NavigationReason Navigator::take_route(const Query& query, const Plan* inside,
   const bool stalled = way_progress_.stalls(left, memory_.version(), frame.cell().minCoeff());
   const bool stays = inside != nullptr && route_->stays_in(frame);
   const bool found = inside != nullptr && inside->status == PlanStatus::Found;
-  if (!stalled && found && (stays || to_first_gate(*inside) <= route_->length())) {
+  if (!stalled && found && (stays || leg::to_first_gate(*inside) <= route_->length())) {
     return follow_through(*inside);
   }
   stopover_ = !stays;

@@ -24,7 +24,6 @@ from ltp.sim.parts import (
     checked_velocity,
     default_guidance,
     default_planner,
-    planner_after,
     rest_of,
 )
 from ltp.sim.record import FlightRecord, Outcome
@@ -234,22 +233,32 @@ class Flight:
         gates = self.setup.gates(waypoints)
         self.planner.set_waypoints(waypoints, *([gates] if len(gates) else []))
 
-    def set_priority(self, priority: Raster) -> None:
-        """Fly with another priority map, as it stands; `ValueError` if a value is no priority."""
-        self._priority = seen_priority(priority)
-        self.planner.set_priority(self._priority)
+    def set_priority(self, priority: Raster, keep_if_within: float = 0.0) -> None:
+        """Fly with another priority map, as it stands.
 
-    def set_weights(self, weights: PenaltyWeights) -> None:
-        """Go on with other weights of Eq. 5, by another planner of the configuration.
+        Args:
+            priority: shares from 0 to 1.
+            keep_if_within: 0: the path is given up. Else it is kept, unless a new one is better by
+                more than that by Eq. 5, see `LocalTrajectoryPlanner.set_priority`.
 
-        It is handed the map's window. What has left the window serves its proofs no more, and a
-        voxel that was hit often counts as hit once (this matters with carving only).
+        Raises:
+            ValueError: if a value is no priority, or the margin is below 0.
         """
-        here = np.asarray(self.vehicle.position)
-        planner = planner_after(self.planner, self.setup, here, self._priority, weights)
-        if self._made.get("planner") is self.planner:
-            self._made["planner"] = planner
-        self.take_over(planner)
+        seen = seen_priority(priority)
+        self.planner.set_priority(seen, *([keep_if_within] if keep_if_within else []))
+        self._priority = seen
+
+    def set_weights(self, weights: PenaltyWeights, keep_if_within: float = 0.0) -> None:
+        """Go on with other weights of Eq. 5; map and waypoints stay.
+
+        Args:
+            weights: of length and priority.
+            keep_if_within: as in `set_priority`.
+
+        Raises:
+            ValueError: for weights that are none, or a margin below 0.
+        """
+        self.planner.set_weights(weights, *([keep_if_within] if keep_if_within else []))
 
     def take_over(self, planner: FlightPlanner) -> None:
         """Another planner goes on, with the waypoints that are left and what it knows itself."""

@@ -2,11 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a flight is made of: planner, vehicle and guidance, as protocols, and those by default."""
 
-import copy
-import dataclasses
 from collections.abc import Sequence
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any, Protocol
 
 import numpy as np
@@ -18,9 +15,7 @@ from ltp._core import (
     NavigationStatus,
     ObstacleMap,
     OccupancyGrid,
-    PenaltyWeights,
     PlanRecord,
-    Raster,
     WaypointEvent,
     closest_point,
 )
@@ -44,8 +39,14 @@ class FlightPlanner(Protocol):
         Their gates, (n, 2), radius and height [m], are only given where they are not points.
         """
 
-    def set_priority(self, priority: Any, /) -> None:
-        """Go on with another priority map."""
+    def set_priority(self, priority: Any, keep_if_within: float = ..., /) -> None:
+        """Go on with another priority map.
+
+        A margin is only given where it is not 0, see `LocalTrajectoryPlanner.set_priority`.
+        """
+
+    def set_weights(self, weights: Any, keep_if_within: float = ..., /) -> None:
+        """Go on with other weights of Eq. 5; the margin as in `set_priority`."""
 
     @property
     def reason(self) -> NavigationReason:
@@ -135,27 +136,6 @@ def default_planner(
     if known_map is not None:
         planner.load_map(known_map)
     return planner
-
-
-def planner_after(
-    planner: FlightPlanner,
-    setup: MissionSetup,
-    position: NDArray[np.float64],
-    priority: Raster,
-    weights: PenaltyWeights,
-) -> LocalTrajectoryPlanner:
-    """The planner of a configuration with other weights, that knows another one's window."""
-    config = copy.copy(setup.config)
-    config.planner_options.weights = weights
-    config.check()
-    other = default_planner(
-        dataclasses.replace(setup, config=config, global_path=position[None], priority=priority)
-    )
-    with TemporaryDirectory() as folder:  # the core takes a map from nowhere but a file
-        file = Path(folder) / "window.ot"
-        planner.map.save(file)
-        other.load_map(file)
-    return other
 
 
 def default_guidance(config: MissionConfig) -> PathFollower:

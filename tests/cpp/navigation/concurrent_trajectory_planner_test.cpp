@@ -137,7 +137,15 @@ void meddle(int step, ConcurrentTrajectoryPlanner& concurrent, LocalTrajectoryPl
     Raster::Values values = priority().values();
     if (step % 100 == 49) values = 1.0 - values;
     const Raster other(values, {0, 0}, 2.0);
-    both(concurrent, single, [&](auto& ltp) { ltp.set_priority(other); });
+    const double keep = step % 100 == 49 ? 0.0 : 0.05;
+    both(concurrent, single, [&](auto& ltp) { ltp.set_priority(other, keep); });
+  }
+  if (step % 50 == 24) {
+    PlannerOptions options;
+    options.weights = {0.5, step % 100 == 24 ? 2.0 : 1.0};
+    const double keep = step % 100 == 24 ? 0.02 : 0.0;
+    both(concurrent, single,
+         [&](auto& ltp) { ltp.set_planner(make_planner("auto", options), keep); });
   }
   if (step != 69) return;  // later, walls would be forgotten that proofs need
   const std::string path = testing::TempDir() + "ltp_meddle.bt";
@@ -289,6 +297,97 @@ TEST(ConcurrentTrajectoryPlanner, ForgetsThePathForTheOldPriorityAtOnce) {
   EXPECT_EQ(ltp.decision().events.size(), 1u);
 }
 
+TEST(ConcurrentTrajectoryPlanner, KeepsThePathWhileABetterOneIsSought) {
+  ConcurrentTrajectoryPlanner ltp = make_concurrent("auto", no_priority());
+  ltp.set_waypoints(route().topRows(1));
+  const auto decide = [&] {
+    ltp.sense(kStart, Path(0, 3), Path(0, 3));
+    ltp.plan();
+  };
+  decide();
+  const std::int64_t id = ltp.decision().path_id;
+  ASSERT_EQ(ltp.decision().status, NavigationStatus::Following);
+  ltp.set_priority(priority(), 100.0);
+  EXPECT_EQ(ltp.decision().path_id, id);
+  EXPECT_EQ(ltp.decision().status, NavigationStatus::Following);
+  decide();
+  EXPECT_EQ(ltp.decision().path_id, id) << "none is better by so much";
+  EXPECT_EQ(ltp.decision().plans_made, 2);
+  ltp.set_priority(priority(), 1e-6);
+  decide();
+  EXPECT_NE(ltp.decision().path_id, id);
+  EXPECT_EQ(ltp.decision().plans_made, 3);
+  // Who gives up the path in between has given it up, whatever was said after that.
+  const std::int64_t last = ltp.decision().path_id;
+  ltp.set_planner(make_planner("additive"));
+  ltp.set_priority(priority(), 100.0);
+  EXPECT_EQ(ltp.decision().path.rows(), 0);
+  decide();
+  EXPECT_NE(ltp.decision().path_id, last);
+  EXPECT_EQ(ltp.decision().status, NavigationStatus::Following);
+  EXPECT_THROW(ltp.set_planner(nullptr), std::invalid_argument);
+  EXPECT_THROW(ltp.set_priority(priority(), -1.0), std::invalid_argument);
+}
+
+TEST(ConcurrentTrajectoryPlanner, LosesNoEventWhenOtherWaypointsAreSet) {
+  ConcurrentTrajectoryPlanner ltp = make_concurrent("auto", no_priority());
+  Path near(2, 3);
+  near << 21, 60, 30, 60, 60, 30;  // the first is reached at once
+  const auto sense = [&] { ltp.sense(kStart, Path(0, 3), Path(0, 3)); };
+  ltp.set_waypoints(near);
+  sense();
+  ltp.plan();  // decided and published, but nobody reads it
+  ltp.set_waypoints(near.bottomRows(1));
+  EXPECT_TRUE(ltp.decision().events.empty());
+  ltp.set_waypoints(near);
+  sense();
+  ltp.set_waypoints(near.bottomRows(1));
+  ltp.plan();  // on a snapshot from before
+  EXPECT_TRUE(ltp.decision().events.empty());
+  const std::vector<WaypointEvent> events = ltp.take_events();
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].route, 1);
+  EXPECT_EQ(events[1].route, 3) << "the second was replaced before it was ever flown";
+  for (const WaypointEvent& event : events) {
+    EXPECT_TRUE(event.reached);
+    EXPECT_EQ(event.goal, Point(21, 60, 30));
+  }
+  sense();
+  ltp.plan();
+  EXPECT_EQ(ltp.decision().status, NavigationStatus::Following);
+  EXPECT_TRUE(ltp.take_events().empty());
+}
+
+TEST(ConcurrentTrajectoryPlanner, TellsEachEventOnceWhileWaypointsChangeAtEveryScan) {
+  ConcurrentTrajectoryPlanner ltp = make_concurrent("auto", no_priority());
+  ltp.start();
+  Path near(1, 3);
+  near << 21, 60, 30;
+  std::vector<WaypointEvent> events;
+  const auto take = [&] {
+    for (const WaypointEvent& event : ltp.take_events()) events.push_back(event);
+  };
+  for (int i = 0; i < 200; ++i) {
+    ltp.set_waypoints(near);
+    ltp.sense(kStart, Path(0, 3), Path(0, 3));
+    if (i % 3 == 0) {
+      ASSERT_TRUE(ltp.wait(kPatience));  // this one is decided on
+    }
+    if (i % 7 == 0) take();
+  }
+  ASSERT_TRUE(ltp.wait(kPatience));
+  take();
+  std::int64_t last = 0;
+  int waited_for = 0;
+  for (const WaypointEvent& event : events) {
+    EXPECT_GT(event.route, last) << "in order, none twice";
+    last = event.route;
+    waited_for += (event.route - 1) % 3 == 0;
+  }
+  EXPECT_EQ(waited_for, 67);
+  EXPECT_EQ(last, 200);
+}
+
 TEST(ConcurrentTrajectoryPlanner, AClearedOrLoadedMapWakesAHoldingUavBetweenItsScans) {
   const std::string path = testing::TempDir() + "ltp_court.bt";
   Path court(160, 3);  // walls of 20 m round the start
@@ -404,12 +503,14 @@ TEST(ConcurrentTrajectoryPlanner, AllocatesNothingWhileAPlanStands) {
 class Broken final : public Planner {
  public:
   const PlannerInfo& info() const override { return info_; }
+  const PenaltyWeights& weights() const override { return weights_; }
   Plan plan(const Scene&, const Query&, const Budget&) override {
     throw std::logic_error("broken");
   }
 
  private:
   PlannerInfo info_{"broken", "Broken"};
+  PenaltyWeights weights_;
 };
 
 TEST(ConcurrentTrajectoryPlanner, PassesOnWhatThePlanningThreadThrows) {

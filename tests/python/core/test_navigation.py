@@ -170,6 +170,47 @@ def test_it_says_why() -> None:
     assert dropping.decision.events[0].why == ltp.NavigationReason.GOAL_BLOCKED
 
 
+def test_weights_planner_and_priority_change_without_losing_map_or_waypoints(held: Alone) -> None:
+    planner = held.planner
+    known = planner.map.occupied.count()
+    for change in (
+        lambda: planner.set_weights(ltp.PenaltyWeights(length=2.0, priority=0.0), 0.1),
+        lambda: planner.set_planner("ggwp", keep_if_within=0.1),
+        lambda: planner.set_weights(ltp.PenaltyWeights(length=1.0, priority=1.0)),
+        lambda: planner.set_priority(ltp.Raster(np.ones((1, 1))), 0.1),
+    ):
+        before = held.decide()[1]
+        change()
+        planner.sense(START, court())
+        # The court is closed: tried anew, to no avail.
+        assert held.decide() == (ltp.NavigationStatus.HOLDING, before + 1)
+    assert planner.map.occupied.count() == known
+    np.testing.assert_array_equal(planner.waypoints, GOAL)
+    for wrong in (
+        lambda: planner.set_weights(ltp.PenaltyWeights(length=-1.0)),
+        lambda: planner.set_weights(ltp.PenaltyWeights(), -0.1),
+        lambda: planner.set_planner("no such"),
+        lambda: planner.set_priority(ltp.Raster(np.ones((1, 1))), float("nan")),
+    ):
+        with pytest.raises(ValueError):
+            wrong()
+
+
+def test_events_are_told_once_also_of_waypoints_that_were_replaced(held: Alone) -> None:
+    planner = held.planner
+    planner.clear_map()
+    for x in (1.0, 0.0):
+        planner.set_waypoints(np.array([[x, 0.0, 50.0], [40.0, 0.0, 50.0]]))
+        planner.sense(START, NOTHING)
+        held.decide()
+    events = planner.take_events()
+    assert [(event.route, event.index, event.goal[0]) for event in events] == [
+        (2, 0, 1.0),
+        (3, 0, 0.0),
+    ]
+    assert planner.take_events() == []
+
+
 def test_a_climb_counts_from_the_waypoints_a_band_from_the_uav_too() -> None:
     options = ltp.NavigationOptions(band=(4.0, 8.0))
     assert options.band_from(70.0, 50.0) == (4.0, 8.0)

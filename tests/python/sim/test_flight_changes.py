@@ -89,6 +89,31 @@ def test_another_priority_counts_from_the_next_step_on_and_each_stretch_by_its_o
         flight.set_priority(ltp.Raster(np.full((2, 2), 3.0)))
 
 
+@pytest.mark.parametrize(("margin", "turns"), [(0.0, True), (0.01, True), (100.0, False)])
+def test_a_change_turns_the_uav_about_only_for_a_path_that_is_better_by_the_margin(
+    margin: float, turns: bool
+) -> None:
+    values = np.zeros((160, 160))
+    values[:, 95:110] = 1.0  # a strip north of the straight line
+    none = ltp.Raster(np.zeros((1, 1)))
+    flight = Flight(make_world(), config(), path((30, 70), (130, 70)), priority=none)
+    before = flight.run(seconds=5.0).path
+    flight.set_priority(ltp.Raster(values), margin)
+    step = flight.step()
+    assert step.path_changed is turns
+    assert bool(step.path[:, 1].max() > 95.0) is turns
+    flight.set_weights(ltp.PenaltyWeights(length=1.0, priority=0.0), margin)
+    step = flight.step()
+    assert step.path_changed is turns
+    assert step.path[:, 1].max() < 95.0
+    if not turns:
+        np.testing.assert_array_equal(step.path, before)
+    with pytest.raises(ValueError, match="keep_if_within = -1"):
+        flight.set_weights(ltp.PenaltyWeights(), -1.0)
+    with pytest.raises(ValueError, match="length"):
+        flight.set_weights(ltp.PenaltyWeights(length=-1.0))
+
+
 def test_a_command_of_ones_own_is_flown_in_place_of_the_guidances() -> None:
     flight = Flight(make_world(), config(), path((30, 70), (130, 70)))
     flight.step()

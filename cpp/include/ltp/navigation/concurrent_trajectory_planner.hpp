@@ -32,16 +32,16 @@ struct Decision {
   std::vector<WaypointEvent> events;
   std::vector<PlanRecord> plans;
   std::int64_t plans_made = 0;
-  std::int64_t route = 0;     ///< counts the calls of `set_waypoints` that it knows of
-  std::int64_t priority = 0;  ///< counts the calls of `set_priority` that it knows of
+  std::int64_t route = 0;    ///< counts the calls of `set_waypoints` that it knows of
+  std::int64_t changes = 0;  ///< counts those of `set_priority` and `set_planner`
 };
 
 /// A `LocalTrajectoryPlanner` whose scans never wait for a plan. The thread of the sensor inserts a
 /// scan, publishes a snapshot of the window and reads the newest decision; the planning thread
 /// takes the newest snapshot, decides as a `Navigator` does, and publishes its decision. Both pass
-/// through triple buffers: no lock is held while mapping or planning, and a lock only to sleep and
-/// to wake. A decision holds on the map that it was made on; whether it still does on the newest
-/// one, the thread of the sensor checks with every scan (`blocked_at`).
+/// through triple buffers: no lock is held while mapping or planning, and a lock only to sleep,
+/// to wake and to tell events. A decision holds on the map that it was made on; whether it still
+/// does on the newest one, the thread of the sensor checks with every scan (`blocked_at`).
 ///
 /// All but `plan` is for one thread, that of the sensor. Either `start` the planning thread, or
 /// call `plan` yourself, from the same thread or another. If each scan is waited for, every
@@ -60,8 +60,10 @@ class ConcurrentTrajectoryPlanner {
   /// Rows are waypoints, world [m]; may be empty.
   /// @param gates  one row a waypoint, see `GateSizes`; none: those of the options
   void set_waypoints(const PathRef& waypoints, const GateSizesRef& gates = GateSizes(0, 2));
-  /// Another priority p_l(x, y), from the next scan on; until then there is no path.
-  void set_priority(Raster priority);
+  /// Another priority p_l(x, y), or another planner (not null), from the next scan on; until then
+  /// there is no path, or the one flown, see `LocalTrajectoryPlanner`.
+  void set_priority(Raster priority, double keep_if_within = 0.0);
+  void set_planner(std::unique_ptr<Planner> planner, double keep_if_within = 0.0);
 
   /// Adds a scan as `LocalTrajectoryPlanner` does and hands the map over; the UAV is where the rays
   /// began [m]. Throws what the planning thread has thrown, if it has.
@@ -77,6 +79,9 @@ class ConcurrentTrajectoryPlanner {
 
   /// Takes the newest decision. It stands until the next call.
   const Decision& decision();
+  /// What became of waypoints, each told once: also what no decision that was read has told,
+  /// because other waypoints were set meanwhile (`WaypointEvent::route` says about which it is).
+  std::vector<WaypointEvent> take_events();
   /// The arc length of that decision's path [m] at which the newest map blocks it, ahead of the
   /// UAV; empty if it is free. An escape leads through blocked cells: it is blocked where something
   /// was hit, and at its end if that is free no more.
@@ -103,8 +108,17 @@ class ConcurrentTrajectoryPlanner {
   [[deprecated("waypoints")]] const Path& way_points() const { return waypoints(); }
 
  private:
-  using SharedRaster = std::shared_ptr<const Raster>;  ///< null: that of the constructor
   using SharedGrid = std::shared_ptr<const OccupancyGrid>;
+
+  /// What a planner goes by; null: as the constructor was told. The planner is the planning
+  /// thread's alone.
+  struct Aims {
+    std::int64_t changes = 0;   ///< so many
+    std::int64_t given_up = 0;  ///< number of the last one that gave up the path
+    double keep_if_within = 0.0;
+    std::shared_ptr<const Raster> priority;
+    std::shared_ptr<Planner> planner;
+  };
 
   struct Snapshot {
     std::int64_t number;
@@ -118,12 +132,12 @@ class ConcurrentTrajectoryPlanner {
     std::int64_t route;  ///< number of the waypoints
     Path waypoints;
     GateSizes gates;
-    std::int64_t priority_number;
-    SharedRaster priority;
+    Aims aims;
   };
 
   void pass_on_failure();
   void hand_over();
+  void change(double keep_if_within);
   void nothing_decided();
   void run();
   void take_over(Snapshot& seen);
@@ -139,9 +153,8 @@ class ConcurrentTrajectoryPlanner {
   Path waypoints_ = Path(0, 3);
   GateSizes gates_ = GateSizes(0, 2);
   std::int64_t route_ = 0;  ///< number of the waypoints
-  SharedRaster priority_;
-  std::int64_t priority_number_ = 0;
-  /// What there is while the newest decision is about other waypoints or another priority.
+  Aims aims_;
+  /// What there is while the newest decision is about other waypoints, or a path given up.
   Decision none_;
   const Decision* given_ = &none_;
   std::int64_t flown_path_ = 0;  ///< `path_id` of the path that `progress_` is about
@@ -151,7 +164,7 @@ class ConcurrentTrajectoryPlanner {
   Navigator navigator_;
   OccupancyGrid known_;  ///< blocked cells of the snapshot decided on last
   std::int64_t known_route_ = 0;
-  std::int64_t known_priority_ = 0;
+  Aims known_aims_;
   std::int64_t known_clearings_ = 0;
   SharedGrid known_loaded_;
 
@@ -162,6 +175,7 @@ class ConcurrentTrajectoryPlanner {
   std::condition_variable news_;
   std::int64_t published_ = 0;  ///< number of the newest snapshot
   std::int64_t decided_ = 0;    ///< number of the newest snapshot decided on
+  std::vector<WaypointEvent> untaken_;
   std::exception_ptr failure_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;

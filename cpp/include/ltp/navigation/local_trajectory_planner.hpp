@@ -34,7 +34,15 @@ class LocalTrajectoryPlanner {
   void set_waypoints(const PathRef& waypoints, const GateSizesRef& gates = GateSizes(0, 2)) {
     navigator_.set_waypoints(waypoints, gates);
   }
-  void set_priority(Raster priority) { navigator_.set_priority(std::move(priority)); }
+  /// Another priority p_l(x, y), or another planner, not null: as `Navigator` does.
+  /// @param keep_if_within  0: the path is given up. Else it is kept, unless a new one is better by
+  ///                        more than that by Eq. (5), from where the UAV is
+  void set_priority(Raster priority, double keep_if_within = 0.0) {
+    navigator_.set_priority(std::move(priority), keep_if_within);
+  }
+  void set_planner(std::unique_ptr<Planner> planner, double keep_if_within = 0.0) {
+    navigator_.set_planner(std::move(planner), keep_if_within);
+  }
 
   /// Adds a scan: where its rays began (a pose turns the map's body box), where they hit, and (for
   /// carving) where those without a return ended, world frame [m].
@@ -68,6 +76,8 @@ class LocalTrajectoryPlanner {
   std::int64_t plans_made() const { return navigator_.plans_made(); }  ///< since the beginning
   /// Reached and dropped waypoints, in order, since `set_waypoints`.
   const std::vector<WaypointEvent>& events() const { return navigator_.events(); }
+  /// All that were not taken yet, each once, also of waypoints that were replaced since.
+  std::vector<WaypointEvent> take_events() { return navigator_.take_events(); }
   int waypoint_index() const {
     return navigator_.waypoint_index();
   }  ///< the waypoint flown to; the number of them when finished

@@ -37,6 +37,7 @@ struct WaypointEvent {
   Point goal = Point::Zero();           ///< the waypoint [m]
   double distance = 0.0;                ///< from the UAV to the waypoint's point [m]
   Point window_origin = Point::Zero();  ///< lowest corner of the map's window [m]
+  std::int64_t route = 0;  ///< counts the calls of `set_waypoints`: by which it was given, from 1
 };
 
 using WayPointEvent [[deprecated("WaypointEvent")]] = WaypointEvent;  ///< for one release
@@ -59,10 +60,10 @@ struct MapView {
 /// the shortest way to the waypoint leaves the window, to a stopover on it. Replans when the path
 /// is blocked (an escape, which leads through blocked cells: when a hit lies on it or its end is
 /// free no more), when a waypoint or a stopover is reached or a waypoint dropped, when the UAV has
-/// left its path; never on a clock. Drops a waypoint only on proof: it lies in a blocked cell, or a
-/// flood from it, over all that is remembered and sharing nothing with any search, ends neither at
-/// the UAV nor at the edge of the known. In a world that stands still every waypoint is reached or
-/// dropped after finitely many metres: see docs/method.md.
+/// left its path, or is asked to reconsider it; never on a clock. Drops a waypoint only on proof:
+/// it lies in a blocked cell, or a flood from it, over all that is remembered and sharing nothing
+/// with any search, ends neither at the UAV nor at the edge of the known. In a world that stands
+/// still every waypoint is reached or dropped after finitely many metres: see docs/method.md.
 class Navigator {
  public:
   /// @param planner           not null; owned
@@ -76,8 +77,16 @@ class Navigator {
   ~Navigator();
 
   /// @param gates  one row a waypoint, see `GateSizes`; none: those of the options
-  void set_waypoints(const PathRef& waypoints, const GateSizesRef& gates = GateSizes(0, 2));
-  void set_priority(Raster priority);
+  /// @param route  number of the call, for those who count themselves; 0: one more than the last
+  void set_waypoints(const PathRef& waypoints, const GateSizesRef& gates = GateSizes(0, 2),
+                     std::int64_t route = 0);
+
+  /// Another priority p_l(x, y), or another planner (not null): of other weights, say. The path is
+  /// given up, as it was made for the old one. With `keep_if_within` > 0 it is kept, unless the
+  /// next update plans one to where it leads of which Eq. (5) is smaller by more than that: both
+  /// from where the UAV is, by the new priority and weights. An escape stays.
+  void set_priority(Raster priority, double keep_if_within = 0.0);
+  void set_planner(std::shared_ptr<Planner> planner, double keep_if_within = 0.0);
 
   /// Keeps what a window has blocked; to be told before the map forgets it.
   void remember(const OccupancyGrid& blocked) { memory_.remember(blocked); }
@@ -100,6 +109,7 @@ class Navigator {
   const std::vector<PlanRecord>& plans() const { return plans_; }
   std::int64_t plans_made() const { return plans_made_; }
   const std::vector<WaypointEvent>& events() const { return events_; }
+  std::vector<WaypointEvent> take_events();
   int waypoint_index() const { return next_; }
   const Path& waypoints() const { return waypoints_; }
   const Planner& planner() const { return *planner_; }
@@ -122,6 +132,8 @@ class Navigator {
   bool is_at(const GridFrame& frame, const Point& position, const Point& point) const;
   void take_reached(const MapView& map, const Point& position);
   bool must_replan(const MapView& map, const Point& position);
+  void reconsider(double keep_if_within);
+  void weigh(const MapView& map, const Point& position, const std::function<bool()>& interrupted);
   void replan(const MapView& map, const Point& position, const std::function<bool()>& interrupted);
   void recall(const MapView& map);
   NavigationReason set_out(const Point& position, const std::function<bool()>& interrupted);
@@ -139,14 +151,16 @@ class Navigator {
   void finish();
   void give_up_path();
 
-  std::unique_ptr<Planner> planner_;
+  std::shared_ptr<Planner> planner_;
   NavigationOptions options_;
   Raster priority_;
   Path waypoints_ = Path(0, 3);
   Gates gates_;
   int next_ = 0;
   std::optional<AltitudeRange> altitudes_;  ///< of the leg, from its first plan on
-  std::vector<WaypointEvent> events_;
+  std::vector<WaypointEvent> events_;       ///< about these waypoints
+  std::vector<WaypointEvent> untaken_;      ///< about all that were ever given
+  std::int64_t waypoints_given_ = 0;        ///< number of the last call of `set_waypoints`
 
   NavigationStatus status_ = NavigationStatus::Finished;
   NavigationReason reason_ = NavigationReason::None;
@@ -156,6 +170,8 @@ class Navigator {
   bool stopover_ = false;   ///< whether `target_` is not the waypoint itself
   double progress_ = 0.0;   ///< arc length of `path_` already flown [m]
   double served_at_ = 0.0;  ///< arc length of `path_` at which the next waypoint is served [m]
+  std::size_t serves_ = 0;  ///< waypoints that `path_` passes, if its end is no stopover
+  std::optional<double> margin_;  ///< by which a path must be better than `path_`, if one is sought
   Point last_position_ = Point::Zero();  ///< of the UAV [m]
   std::int64_t path_id_ = 0;
   std::int64_t planned_on_ = kNoVersion;  ///< version of the map that was last planned on

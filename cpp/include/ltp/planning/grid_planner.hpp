@@ -130,12 +130,12 @@ class Answer {
 class GridPlanner : public Planner {
  public:
   const PlannerInfo& info() const final { return info_; }
+  const PenaltyWeights& weights() const final { return weights_; }
   Plan plan(const Scene& scene, const Query& query, const Budget& budget = {}) final;
 
  protected:
   /// Throws as `PenaltyWeights::check` does.
   GridPlanner(const PlannerInfo& info, const PenaltyWeights& weights);
-  const PenaltyWeights& weights() const { return weights_; }
 
  private:
   /// Start and goal lie in free cells of the window, or no gate is without one. Offers paths,

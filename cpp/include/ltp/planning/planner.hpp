@@ -130,6 +130,8 @@ class Planner {
  public:
   virtual ~Planner() = default;
   virtual const PlannerInfo& info() const = 0;
+  /// Of Eq. (5), by which its plans are judged.
+  virtual const PenaltyWeights& weights() const = 0;
   /// Throws `std::invalid_argument` for a query that is not finite or has a negative band, radius
   /// or height, and for a negative limit.
   virtual Plan plan(const Scene& scene, const Query& query, const Budget& budget = {}) = 0;

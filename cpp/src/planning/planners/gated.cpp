@@ -22,6 +22,7 @@ class GatedPlanner final : public Planner {
       : planner_(std::move(planner)), weights_(weights) {}
 
   const PlannerInfo& info() const override { return planner_->info(); }
+  const PenaltyWeights& weights() const override { return weights_; }
 
   Plan plan(const Scene& scene, const Query& query, const Budget& budget) override {
     const bool knows = !query.has_gates() || (query.then.empty() && info().has(Trait::Regions));

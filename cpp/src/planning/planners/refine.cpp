@@ -296,6 +296,7 @@ class RefinedPlanner final : public Planner {
       : planner_(std::move(planner)), weights_(weights), refiner_(weights) {}
 
   const PlannerInfo& info() const override { return planner_->info(); }
+  const PenaltyWeights& weights() const override { return weights_; }
   Plan plan(const Scene& scene, const Query& query, const Budget& budget) override {
     check_query(query);
     const Scene seen = seen_.of(scene);
