@@ -45,7 +45,7 @@ int child_with(const Cell& corner, const Cell& voxel, int level) {
 /// OctoMap's tree, and what its interface lacks: leaves of any size, a walk that allocates nothing.
 class Octree::Tree : public octomap::OcTree {
  public:
-  explicit Tree(double resolution) : OcTree(resolution) {
+  explicit Tree(double voxel) : OcTree(voxel) {
     // Values are stored as they are; clamping is the map's business.
     setClampingThresMin(0.0);
     setClampingThresMax(1.0);
