@@ -51,6 +51,12 @@ def warn_of_strangers(folders: Iterable[str] | None = None) -> None:
             return
 
 
+def warn_if_overwritten() -> None:
+    """The same from the command line, where a stranger's `__init__` has replaced ours."""
+    if "_load" not in vars(sys.modules["ltp"]):
+        warn_of_strangers()
+
+
 def _ourselves() -> str:
     return pip_install("").removeprefix("pip install ").replace("[]", "")
 

@@ -5,6 +5,7 @@
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tomllib
@@ -146,3 +147,22 @@ def test_looking_for_it_loads_nothing() -> None:
     loaded = set(json.loads(done.stdout))
     assert not loaded & {"importlib.metadata", "email", "zipfile", "pathlib", "numpy"}
     assert "ltp.installed" in loaded
+
+
+def test_the_command_warns_where_a_stranger_has_replaced_the_package(tmp_path: Path) -> None:
+    ours = Path(installed.__file__).parent
+    shutil.copytree(ours, tmp_path / "ltp", ignore=shutil.ignore_patterns("*.so", "__pycache__"))
+    (tmp_path / "ltp-4.2.14.dist-info").mkdir()
+    command = [sys.executable, "-c", "from ltp.cli import main; main()", "--help"]
+    for overwritten in (False, True):
+        if overwritten:
+            (tmp_path / "ltp" / "__init__.py").write_text('__version__ = "4.2.13"\n')
+        done = subprocess.run(
+            command,
+            env={**os.environ, "PYTHONPATH": str(tmp_path)},
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        assert done.stderr.count("pip uninstall ltp, then pip install --force-reinstall") == 1
+        assert "Local trajectory planning" in done.stdout

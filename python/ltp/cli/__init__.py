@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command line, `ltp`: a thin layer that parses, calls one function, prints its result."""
 
+from ltp.installed import warn_if_overwritten
+
 from . import (
     compare,
     config,
@@ -49,4 +51,5 @@ for module in (
 
 def main() -> None:
     """Run the command line and exit."""
+    warn_if_overwritten()
     app()
